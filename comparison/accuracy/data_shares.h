@@ -21,8 +21,8 @@ struct DataVariant {
 /// no body has both. Empty: there are no such data.
 std::vector<DataVariant> data_variants(const Case& input);
 
-/// By how much MDR's answer changes with the data, over the scale of each quantity; the variants add up. MDR stands for
-/// both methods here: their difference changes less with the data than their values do.
+/// Changes of MDR's answer with the data, over the scale of each quantity; the variants add up. MDR stands for both
+/// methods here: their difference changes less with the data than their values do.
 Quantities data_uncertainties(const Case& input, const MdrCase& mdr);
 
 /// Adds data_uncertainties() as shares to the bars of a budget.

@@ -47,7 +47,7 @@ std::string flat_text(const Case& input, double deepest, double a) {
   return text;
 }
 
-/// Branches that no test sees relax, and what to set.
+/// Warning about branches that no test sees relax, with the entry to set.
 void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
   const auto slow = times_slower_than(many_cycles, input);
   if (slow.empty()) return;

@@ -135,7 +135,7 @@ struct SweptValues {
   std::vector<double> values;
 };
 
-/// One of a line, two of a map.
+/// The swept entries of a file: one of a line, two of a map.
 std::vector<SweptValues> swept_values(const EntryReader& entries) {
   std::vector<SweptValues> all;
   const auto first = swept_entry(entries, "Entry");
@@ -153,7 +153,7 @@ std::vector<SweptValues> swept_values(const EntryReader& entries) {
   return all;
 }
 
-/// "tangential-amplitude-1e-05"
+/// Part of the name of a point of a sweep, "tangential-amplitude-1e-05".
 std::string slug_of(const SweptEntry& swept, double value) {
   std::string slug = swept.name;
   std::transform(slug.begin(), slug.end(), slug.begin(),

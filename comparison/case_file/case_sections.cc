@@ -120,7 +120,7 @@ void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
     entries.fail(section, "Phase", "an angle in deg: in two directions the motion is computed with a fixed phase");
 }
 
-/// Given, relative or with a unit; or a share of the tolerance of the case.
+/// The tolerance of a path: given, relative or with a unit, or a share of the tolerance of the case.
 PathTolerance read_path_tolerance(const EntryReader& entries) {
   const std::string section = "Motion", name = "Path tolerance";
   PathTolerance tolerance;
@@ -249,7 +249,7 @@ Case::Body read_body(const EntryReader& entries, bool tangential) {
   entries.read_fields(section, Case::Body::shape_names[static_cast<std::size_t>(body.shape)], body);
   if (body.is_half_space()) return body;
   if (body.shape == Case::Body::Shape::mesh) read_mesh_entries(entries, body);
-  // A base that is missing has been said once.
+  // A base that is missing has been reported already.
   body.is_bonded = entries.word(section, "Base") != "frictionless";
   if (!body.is_bonded && tangential)
     entries.fail(section, "Base",

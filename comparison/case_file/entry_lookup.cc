@@ -30,7 +30,7 @@ std::string lower_letters(const std::string& text) {
   return letters;
 }
 
-/// With the full stop that it lacks, and a blank.
+/// A hint as a sentence, with the full stop that it may lack, and a blank.
 std::string as_sentence(const std::string& hint) {
   return hint + (!hint.empty() && hint.back() == '?' ? " " : ". ");
 }

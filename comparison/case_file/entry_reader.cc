@@ -34,7 +34,7 @@ std::vector<std::string> split_at(char separator, std::string rest) {
   }
 }
 
-/// Empty if one of them is not valid. dimensions: in turn.
+/// The numbers of a list; empty if one of them is not valid. dimensions: of the numbers in turn.
 std::vector<double> read_list(std::vector<std::string> parts, const std::vector<Dimension>& dimensions,
                               bool (*accepts)(double)) {
   const auto dimension = [&](std::size_t i) { return dimensions[i % dimensions.size()]; };

@@ -43,7 +43,7 @@ std::optional<std::string> text_of_value(const json& value) {
   return std::nullopt;
 }
 
-/// What would stand in a .prm file; empty for what has no place there.
+/// The value as text of a .prm file; empty if it has no place there.
 std::optional<std::string> text_of_entry(const json& value) {
   if (!value.is_array()) return text_of_value(value);
   std::vector<std::string> parts;

@@ -18,7 +18,7 @@ namespace {
 
 const char* const body_section = "Body";
 
-/// "mm", "25.4 mm" or a number in m; 1 m where it is not set.
+/// The unit of a mesh in m, from "mm", "25.4 mm" or a number in m; 1 m where it is not set.
 double mesh_unit(const EntryReader& entries) {
   auto text = entries.text(body_section, "Mesh unit");
   if (text.empty()) return 1;

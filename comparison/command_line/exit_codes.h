@@ -9,7 +9,7 @@ constexpr int exit_numerics_failed = 3;
 constexpr int exit_system_failed = 4;
 constexpr int exit_not_resolved = 5;
 
-/// For --help and the manual page.
+/// Text about the exit codes for --help and the manual page.
 constexpr const char* exit_codes_text =
     "0  all that was asked for agrees, or is not proved (--proof none)\n"
     "1  finite elements and MDR disagree beyond the tolerance, or a value has moved from the baseline,\n"

@@ -29,7 +29,7 @@ std::string version_text() {
   return text;
 }
 
-/// In the words of the library where nothing was mistyped.
+/// Message on a command line that is wrong: what was probably mistyped, otherwise the words of the library.
 std::string what_is_wrong(const CLI::App& app, const std::vector<std::string>& arguments, const std::string& said) {
   auto text = unknown_verb(app, arguments);
   if (text.empty()) text = unknown_option(app, arguments);

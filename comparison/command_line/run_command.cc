@@ -76,7 +76,7 @@ int exit_code_of(const std::vector<BatchLine>& lines) {
   return any(Outcome::not_resolved) ? exit_not_resolved : exit_agree;
 }
 
-/// What is said if the run is interrupted after so many results.
+/// Message for a run that is interrupted after some results.
 std::string interrupted_text(const std::vector<PreparedCase>& prepared, const fs::path& output, std::size_t n_kept) {
   const auto wear =
       std::any_of(prepared.begin(), prepared.end(), wears) ? "; wear goes on from here when it is run again" : "";
@@ -206,7 +206,7 @@ std::vector<PreparedCase> not_kept(const std::vector<PreparedCase>& prepared, co
   return open;
 }
 
-/// In the order of the cases.
+/// Kept and computed lines together, in the order of the cases.
 std::vector<BatchLine> all_lines(KeptLines kept, std::vector<BatchLine> computed) {
   std::vector<BatchLine> lines;
   std::size_t next = 0;

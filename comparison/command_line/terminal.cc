@@ -13,7 +13,7 @@
 namespace fretval {
 namespace {
 
-/// Among the lines of one case file that are held to a tolerance: what has no error bars is not.
+/// Largest use of a tolerance among the lines of one case file; a case without error bars is not held to a tolerance.
 ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
   ToleranceUse largest;
   for (const auto& line : lines)
@@ -21,7 +21,7 @@ ToleranceUse largest_use_of(const std::vector<BatchLine>& lines) {
   return largest;
 }
 
-/// A row for each value, where that is one sweep that a terminal has room for.
+/// A row for each value, where the results are one sweep for which a terminal has room.
 void print_sweep(const std::vector<StoredResult>& results) {
   constexpr std::size_t most_rows = 60;
   const bool is_one = results.size() > 1 && results.size() <= most_rows &&
@@ -41,7 +41,7 @@ void print_values(const std::vector<BatchLine>& lines) {
   print_sweep(results);
 }
 
-/// What several cases come to: the worst of them.
+/// Outcome of several cases: the worst of them.
 std::string heading_of(const std::vector<BatchLine>& lines) {
   const auto any = [&](Outcome outcome) {
     return std::any_of(lines.begin(), lines.end(), [=](const auto& line) { return line.outcome == outcome; });

@@ -46,7 +46,7 @@ std::optional<Interpolated> interpolated_in(const Rows& rows, double ratio, doub
   return result;
 }
 
-/// What a map has more than on its side of a half-space with nu = 1/2.
+/// Difference of a change on a map from that on its side of a half-space with nu = 1/2.
 std::optional<Interpolated> added(const std::vector<MapPoint>& points, MapKind kind, double side, double value,
                                   Quantity quantity, double ratio) {
   const auto with = change_on_map(points, kind, quantity, ratio, value),

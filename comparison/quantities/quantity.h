@@ -123,7 +123,7 @@ struct QuantityTraits {
   /// It tells how a motion settles, which both methods know less well than the state that it settles to.
   bool of_settling = false;
   /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
-  /// show all of that. Empty: as without memory.
+  /// show all of that. Order of convergence in the rings then; empty: that without memory.
   std::optional<ExpectedOrder> rings_with_memory = {};
 };
 const QuantityTraits& traits_of(Quantity quantity);

@@ -43,7 +43,7 @@ std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::
   const auto mdr = mdr_case(input);
   const double a = mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
   const double width = std::min(1.6 * a, mdr::end_radius(mdr.profile)) / n_field_points;
-  // Off the axis, where the pressure under a cone is infinite.
+  // Points begin off the axis, where the pressure under a cone is infinite.
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n_field_points, 0.5 * width, (n_field_points - 0.5) * width);
   std::vector<Column> columns{{"r [m]", r}};
   columns.push_back(column("f [m]", r, [&](double x) { return mdr::shape(mdr.profile, x); }));

@@ -11,7 +11,7 @@ namespace fretval {
 
 namespace {
 
-/// A stick radius that stands for none.
+/// Stick radius that is taken where nothing sticks, over the contact radius.
 constexpr double almost_none = 1e-6;
 
 WearLimits limits_on_layer(const MdrCase& mdr, const MdrAnswer& answer) {
@@ -21,7 +21,7 @@ WearLimits limits_on_layer(const MdrCase& mdr, const MdrAnswer& answer) {
     return wear_limit(mdr::layer_limiting_profile(mdr.profile, mdr.layer.value(), std::min(c, most), deepest));
   };
   const auto state = layer_wear_state(mdr, mdr::StickCriterion::shakedown);
-  // Without a state under a normal force, wear goes on for ever from where the unworn contact is.
+  // Where there is no limiting state under a normal force, wear goes on for ever from the unworn contact.
   const double unworn = mdr.normal_force ? answer.indentation_max.value() : mdr::maximum_indentation(mdr.motion);
   const double deepest = state ? mdr::maximum_indentation(state->motion) : unworn;
   const double uncertain = std::max(1e-6, 10 * answer.stepping_error);

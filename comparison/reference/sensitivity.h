@@ -7,7 +7,7 @@
 
 namespace fretval {
 
-/// By how many percent a stick radius c changes with a percent of an input: d ln c / d ln x.
+/// Relative change of a stick radius c by a relative change of an input x: d ln c / d ln x.
 struct RadiusSensitivity {
   double friction;         ///< x = mu
   double relaxed_modulus;  ///< x = G'(0), the branches as they are

@@ -86,7 +86,7 @@ Filling phase_section(const Results& results) {
       {"template", "phase"}, {"radii", filling_of(figures)}, {"differences", filling_of(difference_figures(results))}};
 }
 
-/// Is |G|/G0 all that counts? Largest differences per rheology.
+/// Table of the largest differences for each rheology, which tells whether |G|/G0 is all that counts.
 Filling rheology_section(const Results& results) {
   std::map<std::string, Results> by_rheology;
   for (const auto& r : results)
@@ -192,7 +192,7 @@ Filling verdict_with_plots(const Results& results) {
   return verdict;
 }
 
-/// For readers without scripts: what the terminal says of each of few cases, and all tables.
+/// Text for readers without scripts: what the terminal says about each case if they are few, and all tables.
 std::string words_of(const std::string& title, const Results& results, const Filling& sections) {
   auto words = title + "\n\n";
   if (results.size() <= few)

@@ -36,7 +36,7 @@ std::string time_of_cycles(const ordered_json& scene, double cycles) {
   return period ? fmt::format(", {} at {:.3g} Hz", time_text(cycles * *period), 1 / *period) : "";
 }
 
-/// What has become of the indenter.
+/// Text on the wear of an indenter.
 std::string wear_text(const ProvedWear& wear, const Units& units, const ordered_json& scene) {
   const auto& last = wear.fe.course.curve.back();
   auto text = fmt::format("  worn off: {} in {:.3g} cycles{}", volume_text(last.volume * units.volume()), last.cycles,
@@ -58,7 +58,7 @@ std::string wear_text(const ProvedWear& wear, const Units& units, const ordered_
   return text + "; what still bears pressure sticks throughout, and wears no more\n";
 }
 
-/// What has become of an indenter that wears off its circle, beside what MDR says of its end.
+/// Text on the wear of an indenter to a shape that is not axisymmetric, beside MDR's limit.
 std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const ordered_json& scene) {
   const auto& fe = wear.fe;
   const auto& last = fe.course.curve.back();
@@ -83,7 +83,7 @@ std::string percent_text(double share, int digits, bool with_sign = false) {
   return with_sign && !std::signbit(percent) ? "+" + text : text;
 }
 
-/// What is roundoff of the scale is 0, also of a bar.
+/// A value or bar as it is shown: 0 if it is roundoff of the scale.
 std::string reading_text(Quantity quantity, const Scales& scales, const Reading& reading) {
   const auto rounded = [&](double value) { return without_roundoff(quantity, scales, value); };
   return reading.value
@@ -113,7 +113,7 @@ Answer answer_beyond_mdr(const ordered_json& result) {
   return answer;
 }
 
-/// What is not asked for, has no part in the verdict.
+/// Quantities that are not asked for have no part in the verdict.
 std::string not_asked_line(bool has_cycle_tolerance) {
   return has_cycle_tolerance
              ? "  not asked for, as far as they are known:\n"
@@ -154,7 +154,7 @@ std::optional<Reading> fe_reading(const ordered_json& result, Quantity quantity)
   return reading;
 }
 
-/// What is said of a force or an energy of a cycle that nobody has asked for, where its bar is a tenth of it or more.
+/// Remark on a force or an energy of a cycle that is not asked for, where its bar is a tenth of it or more.
 std::string hardly_known(const ordered_json& result, const StoredDifference& one) {
   constexpr double tenth = 0.1;
   const auto reading = fe_reading(result, one.quantity);
@@ -167,7 +167,7 @@ std::string hardly_known(const ordered_json& result, const StoredDifference& one
   return fmt::format("known to {:.0f} %: set a Cycle tolerance", 100 * share);
 }
 
-/// What a half-space in the place of the body would have, over what finite elements find.
+/// Text on the error of MDR over a half-space in the place of the body, relative to finite elements.
 std::string half_space_text(const ordered_json& result) {
   const auto half_space = result.find("mdr_half_space");
   if (half_space == result.end()) return "";
@@ -308,7 +308,7 @@ bool asks_for_cycles(const ordered_json& result) {
   return false;
 }
 
-/// wear: what has become of the indenter; empty: it has not worn.
+/// wear: text on the wear of the indenter; empty: it has not worn.
 std::string text_of_answer(const ordered_json& json, const std::string& wear) {
   const auto answer = answer_of(json);
   auto text = json.at("name").get<std::string>() + ": ";

@@ -17,24 +17,24 @@ using nlohmann::ordered_json;
 
 class Inputs {
  public:
-  /// In the unit of the entry. of: what the value is of, behind the name.
+  /// Adds a value in the unit of its entry. of: what the value belongs to, told behind the name.
   void add(const char* section, const std::string& name, const ordered_json& value, const std::string& of = "") {
     const auto& dimensions = find_entry(section, name)->dimensions;
     const bool has_unit = !dimensions.empty() && (value.is_number() || (value.is_array() && value.front().is_number()));
     const auto unit = has_unit ? base_unit(dimensions.front()) : "";
     add_in(unit == "deg" ? "°" : unit, section, name + of, value);
   }
-  /// In a unit that another entry decides.
+  /// Adds a value in a unit that another entry decides.
   void add_in(const std::string& unit, const char* section, const std::string& name, const ordered_json& value) {
     list_.push_back({{"section", section}, {"name", name}, {"value", value}, {"unit", unit}});
   }
-  /// What belongs to another choice of the section is zero, or empty.
+  /// Adds a value unless it is zero or empty, as values of another choice of the section are.
   void add_if_any(const char* section, const std::string& name, const ordered_json& value, const std::string& of = "") {
     if (value.empty() || value == "" || (value.is_number() && value.get<double>() == 0)) return;
     add(section, name, value, of);
   }
-  /// The entries that have a field in this part of the case, of them those that are not as in a new one. varying: the
-  /// unit of what has one that depends on another entry.
+  /// Adds the entries that have a field in this part of the case, if their value differs from that of a new case.
+  /// varying: the unit of an entry whose unit depends on another entry.
   template <class Part>
   void add_fields(const char* section, const Part& part, const std::string& varying = "") {
     for (const auto& entry : find_section(section)->entries) {

@@ -68,7 +68,7 @@ double force_at(const mdr::NormalResponse& response, double time) {
   return (1 - weight) * response.normal_force[k - 1] + weight * response.normal_force[k];
 }
 
-/// At times of the steps, s.
+/// MDR's normal force at the times of the steps, N.
 Eigen::VectorXd force_of_mdr(const CaseResult& result, const mdr::NormalResponse& reference) {
   const auto& fem = result.fem_case;
   Eigen::VectorXd force(result.fe.fe.friction.traction.cols());

@@ -38,7 +38,7 @@ struct Changes {
 
 Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after);
 
-/// For people: every change beyond its bars, and how large the others are.
+/// Text on every change beyond its bars, and on the size of the others.
 std::string changes_text(const Changes& changes);
 
 }  // namespace fretval

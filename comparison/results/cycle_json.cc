@@ -27,7 +27,7 @@ ordered_json list_of(const Numbers& numbers, double unit = 1) {
   return list;
 }
 
-/// Every so many of equal steps that no more than most are left, from the one that is given on.
+/// Columns of equal steps at a stride, from the first one given on.
 std::vector<Eigen::Index> every_so_many(Eigen::Index n, Eigen::Index stride, Eigen::Index first) {
   std::vector<Eigen::Index> columns;
   for (Eigen::Index k = first; k < n; k += stride) columns.push_back(k);
@@ -38,21 +38,21 @@ Eigen::Index stride_for(Eigen::Index n, Eigen::Index most) {
   return (n + most - 1) / most;
 }
 
-/// The last one at the end of the period.
+/// Columns of the instants shown, the last one at the end of the period.
 std::vector<Eigen::Index> frames_of(const FeAnswer& fe, Eigen::Index most) {
   if (!fe.normal.pieces.empty()) return columns_at_equal_times(fe, most);
   const auto n = fe.friction.traction.cols(), stride = stride_for(n, most);
   return every_so_many(n, stride, (n - 1) % stride);
 }
 
-/// Columns at equal parts of the period, also where steps are not equal.
+/// Columns at which zones are shown, at equal parts of the period also where steps are not equal.
 std::vector<Eigen::Index> zones_shown(const FeAnswer& fe, Eigen::Index most) {
   if (!fe.normal.pieces.empty()) return columns_at_equal_times(fe, most);
   const auto n = fe.friction.traction.cols();
   return every_so_many(n, stride_for(n, most), 0);
 }
 
-/// In the period, s.
+/// Time of the end of a step in the period, s.
 double end_of_step(const CaseResult& result, Eigen::Index k) {
   const auto& normal = result.fe.fe.normal;
   const double step = 2 * pi / normal.steps_per_cycle, end = normal.pieces.empty()
@@ -109,7 +109,7 @@ ordered_json cycle_json(const CaseResult& result) {
   const auto& radii = result.fe.fe.body->radii;
   const Eigen::Index n = friction.traction.cols(), n_rings = friction.traction.rows();
   const long first = friction.n_steps + 1 - n;
-  // They may bear what friction allows, without slip.
+  // Rings that stick may be at their friction limit without slip: they are told by their number.
   const auto& fe = result.fe.fe;
   const auto& stuck = fe.rings.stuck;
   const Eigen::Index n_stuck = fe.as<ZoneAnswer>() ? 0 : is_pass(fe.motion_kind) ? stuck.first_slip : stuck.shakedown;

@@ -18,7 +18,7 @@ using Values = std::vector<double>;
 
 constexpr std::size_t most_rows = 2000;
 
-/// Every so manieth: more are not seen.
+/// Some of the rows at equal distances: more would not be seen.
 Eigen::VectorXd thinned(const Values& values) {
   const std::size_t stride = (values.size() + most_rows - 1) / most_rows;
   Values few;

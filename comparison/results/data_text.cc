@@ -44,7 +44,7 @@ std::string changes_text(const Readings& before, const Readings& after) {
   return text.empty() ? "no zone that both have" : text;
 }
 
-/// What would change if the test were longer, and shorter.
+/// Changes of MDR's answer if the test were longer, and shorter.
 std::pair<std::string, std::string> effects_of_duration(const Case& input) {
   const auto before = mdr_readings(input);
   return {changes_text(before, mdr_readings(with_duration_times(longer, input))),

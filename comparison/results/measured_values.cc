@@ -13,7 +13,7 @@ namespace {
 using nlohmann::ordered_json;
 using Value = Case::Measured::Value;
 
-/// By trapezoids; of rows that end where they began.
+/// Area of a closed loop by trapezoids.
 double area_of(const std::vector<double>& x, const std::vector<double>& y) {
   double sum = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {

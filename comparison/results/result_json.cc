@@ -137,7 +137,7 @@ ordered_json bar_json(const std::optional<ErrorBar>& bar) {
   return {{"total", bar->total()}, {"shares", shares}};
 }
 
-/// In every cycle.
+/// Whether the contact is lost in every cycle.
 bool loses_contact(const fem::NormalHistory& normal) {
   const auto n = std::min<Eigen::Index>(normal.force.size(), normal.steps_per_cycle);
   return n > 0 && normal.pieces.empty() && normal.force.tail(n).minCoeff() <= 0;

@@ -50,7 +50,7 @@ struct SurfacePoint {
   bool never_slipped, sticks_in_a_cycle;
 };
 
-/// All of them, ring by ring.
+/// All points of the whole circle, ring by ring.
 std::vector<SurfacePoint> points_of(const FeAnswer& fe, const FemCase& fem) {
   const auto& surface = std::get<SurfaceAnswer>(fe.of_kind);
   const auto& pressure = surface.history.pressure.back();

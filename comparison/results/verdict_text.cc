@@ -121,7 +121,7 @@ std::string share_text(double share) {
   return fmt::format("{:.1f} %", 100 * share);
 }
 
-/// What each method found on its way to the steady motion, and what the balance of forces says of that.
+/// Text on gross slip: what each method found on its way to the steady motion, and what the balance of forces demands.
 std::string sliding_text(const ordered_json& result) {
   const auto &fe = result.at("fe"), &mdr = result.at("mdr");
   const bool once = mdr.contains("gross_slip_time");
@@ -162,7 +162,7 @@ std::string change_of(const ordered_json& result, const StoredDifference& d) {
   return fmt::format("{} is {} {}", spoken(d.quantity), text, change < 0 ? "smaller" : "larger");
 }
 
-/// How far MDR is off where it does not compute what the case has.
+/// Text on the error of MDR where the case has another model.
 std::string other_model_text(const ordered_json& result, const Differences& asked) {
   std::string reasons, changes;
   for (const auto& reason : result.at("other_model"))
@@ -194,7 +194,7 @@ std::string stick_text(const ordered_json& result, Quantity quantity, double con
   return bar > stick / 10 ? with_unit(stick, bar, "m") : length_text(stick, contact);
 }
 
-/// What sticks for good, and where that ends.
+/// Text on the zone that sticks for good, and where it ends.
 std::string zones_answer(const ordered_json& result, double stick, double contact) {
   constexpr double nearly_all = 0.9995;
   const auto& fe = result.at("fe");

@@ -40,7 +40,7 @@ std::vector<double> list(const Eigen::VectorXd& values) {
   return {values.begin(), values.end()};
 }
 
-/// What each ring does in each step, as a text a step: o open, s sticks, f slips forward, b slips backward.
+/// What each ring does in each step, as a text for each step: o open, s sticks, f slips forward, b slips backward.
 ordered_json zones_json(const fem::WearingContact::Period& period) {
   auto steps = ordered_json::array();
   for (Eigen::Index k = 0; k < period.slip.cols(); ++k) {
@@ -51,7 +51,7 @@ ordered_json zones_json(const fem::WearingContact::Period& period) {
   return steps;
 }
 
-/// The first point at which so much of the volume is worn off.
+/// The first point at which a share of the volume is worn off.
 std::size_t point_with(const fem::WearCourse& course, double share) {
   const auto& curve = course.curve;
   const double volume = share * curve.back().volume;

@@ -30,7 +30,7 @@ ordered_json annuli_json(const std::vector<fem::Annulus>& annuli, const std::vec
   return list;
 }
 
-/// Null: the zone is one disc, and has a radius.
+/// Why a zone has no radius; null: it is one disc, and has a radius.
 ordered_json why_no_radius(const std::vector<fem::Annulus>& zone) {
   if (zone.empty()) return "nothing sticks";
   if (zone.size() > 1) return fmt::format("{} annuli stick", zone.size());

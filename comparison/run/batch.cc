@@ -26,7 +26,7 @@ namespace {
 
 constexpr double unworn_beside_wear = 0.05;  // of the time that both take
 
-/// What there is to tell and to keep of a result.
+/// The line of a result, with what is told and kept of it.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
   line.largest_use = largest_use(result.comparison, line.name);
@@ -37,7 +37,7 @@ void finish(const CaseResult& result, const mdr::NormalResponse& reference, cons
   if (!options.output.empty()) write_result(result, json, reference, options.output / line.name);
 }
 
-/// Where the case file does not say: of a single case that is proved.
+/// Fields to write: those of the case file or, if it does not say, those for a single case that is proved.
 Case::Fields fields_to_write(const Case& input, const BatchOptions& options) {
   if (options.output.empty()) return Case::Fields::none;
   const bool writes = !input.sweep && options.proof != Proof::none;
@@ -86,7 +86,7 @@ std::string confirm_by_second_algorithm(FemCase fem, BodyStore& bodies, ProvedAn
       difference, enough);
 }
 
-/// MDR's side of a case, as far as it holds.
+/// MDR's answer to a case, as far as it holds.
 struct Reference {
   std::shared_ptr<const mdr::NormalResponse> normal;
   MdrAnswer answer;

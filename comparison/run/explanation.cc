@@ -29,7 +29,7 @@ using nlohmann::ordered_json;
 
 const double two_pi = 2 * pi;
 
-/// With six digits at most, and no more than needed.
+/// A value with at most six digits, and no more than needed.
 std::string short_text(double value, const std::string& unit) {
   if (value == 0) return "0 " + unit;
   auto text = with_unit(value, 0, unit);
@@ -261,7 +261,7 @@ std::string regime_text(const ordered_json& mdr, MotionKind kind, bool of_worn) 
   return text;
 }
 
-/// "40 s", "3 min", "2 h": of an estimate.
+/// An estimated time: "40 s", "3 min", "2 h".
 std::string duration_text(double seconds) {
   constexpr double minute = 60, hour = 3600, many = 2;
   if (seconds < many * minute) {
@@ -271,7 +271,7 @@ std::string duration_text(double seconds) {
   return seconds < many * hour ? fmt::format("{:.0f} min", seconds / minute) : fmt::format("{:.0f} h", seconds / hour);
 }
 
-/// By MDR: below a tenth of the contact radius, or none.
+/// Whether a stick zone is below a tenth of the contact radius by MDR, or there is none.
 bool has_small_zone(const ordered_json& mdr) {
   constexpr double small = 0.1;
   if (mdr.at("contact_radius_max").is_null() || slides(mdr)) return false;
@@ -299,7 +299,7 @@ std::string why_open_ended(const PreparedCase& prepared, bool has_small_zone) {
   return has_small_zone ? "rings where a stick zone is small, or may be" : "";
 }
 
-/// sweep: that the case is a point of.
+/// sweep: the sweep of which the case is a point.
 std::string cost_text(const PreparedCase& prepared, const std::vector<Case>& sweep, bool has_small_zone) {
   const auto& fem = prepared.fem;
   const auto n = computations_for_bars(fem);
@@ -335,7 +335,7 @@ std::string noise_row(const Case::Indenter& indenter) {
   return noise ? row("", noise_text(*noise)) : "";
 }
 
-/// What is said of a case whose profile MDR does not hold for.
+/// Text on a case whose profile MDR does not hold for.
 std::string explanation_beyond_mdr(const Case& input, const mdr::Profile& profile, const std::vector<Case>& sweep) {
   auto text = input.name + "\n" + scene_text(input) + "\n" +
               row("MDR", "does not hold for this profile: " + falls_text(profile) + ",") +

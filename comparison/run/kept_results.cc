@@ -39,7 +39,7 @@ bool is_newer_than_all(const fs::path& result, const std::vector<fs::path>& file
   return true;
 }
 
-/// Null if it is not there, or is none.
+/// The JSON in a file; null if there is no file or no JSON in it.
 ordered_json json_in(const fs::path& file) {
   std::ifstream stream(file);
   return stream ? ordered_json::parse(stream, nullptr, false) : ordered_json();

@@ -33,8 +33,8 @@ bool has_closed_forms(const Case& input) {
          !input.elastomer.master_curve;
 }
 
-/// The answer without the forces, which springs are stepped for. The contact radius is that of g(a) = d, a worn profile
-/// has none.
+/// MDR's answer without the forces, for which springs would be stepped. The contact radius is that of g(a) = d; a worn
+/// profile has none.
 nlohmann::ordered_json closed_answer(const Case& input) {
   const auto mdr = mdr_case(input);
   mdr::NormalResponse radius_alone{};
@@ -58,7 +58,7 @@ struct Sweep {
   std::map<double, std::size_t> places = {};
 };
 
-/// In the order in which they come.
+/// The sweeps among some cases, in the order in which they come.
 std::vector<Sweep> sweeps_among(const std::vector<Case>& cases) {
   std::vector<Sweep> sweeps;
   std::map<std::string, std::size_t> place;
@@ -89,7 +89,7 @@ std::string column_of_entry(const std::string& entry) {
   return fmt::format("{} [{}]", entry, unit.empty() ? "1" : unit);
 }
 
-/// What becomes a file.
+/// A file of a sweep, and the cases of its line.
 struct SweepLines::Line {
   fs::path file;  // in the output
   std::vector<Case> cases;
@@ -98,7 +98,7 @@ struct SweepLines::Line {
   std::map<double, std::size_t> places = {};  // of cases at its values
   std::vector<nlohmann::ordered_json> answers = std::vector<nlohmann::ordered_json>(cases.size());
 
-  /// Null for what MDR refuses between the points of a sweep.
+  /// MDR's answer to case i; null where MDR refuses a case between the points of a sweep.
   [[nodiscard]] nlohmann::ordered_json answer(std::size_t i, NormalResponses& normal_responses) const try {
     return stepped ? stepped_answer(cases[i], normal_responses) : closed_answer(cases[i]);
   } catch (const std::runtime_error&) {

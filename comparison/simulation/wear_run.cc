@@ -14,14 +14,14 @@
 namespace fretval {
 namespace {
 
-/// In the units of the case: depths have one of their own, and so have lengths of slip.
+/// The wear law in the units of the case: depths have a unit of their own, and so have lengths of slip.
 fem::WearLaw law_in(const Units& units, const Case::WearKinetics& wear, double friction_coefficient) {
   const double coefficient =
       wear.law == Case::WearLaw::energy ? friction_coefficient * wear.coefficient : wear.coefficient;
   return {coefficient * std::pow(units.pressure(), wear.exponent), wear.exponent};
 }
 
-/// All that the course depends on, bit for bit.
+/// Text of all that the course depends on, bit for bit.
 std::string description(const FemCase& fem, const fem::WearLaw& law, const fem::WearControl& control,
                         const fem::WornProfile& profile) {
   auto text = "wear " FRETVAL_HISTORIES_HASH "\n" + operator_key(fem.body, fem::lateral);

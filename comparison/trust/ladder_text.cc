@@ -31,7 +31,7 @@ struct NamedRadius {
   const char* name;
 };
 
-/// The one that a user asks for first.
+/// The radius of the headline, the one that a user asks for first.
 std::optional<NamedRadius> radius_of_headline(const Ladder& ladder) {
   for (const auto& radius : {NamedRadius{Quantity::stick_radius_shakedown, "shakedown radius"},
                              NamedRadius{Quantity::stick_radius_first_slip, "first-slip radius"},
@@ -40,14 +40,14 @@ std::optional<NamedRadius> radius_of_headline(const Ladder& ladder) {
   return std::nullopt;
 }
 
-/// What a rung stands for, of a body with how large the contact is against it.
+/// What a rung stands for; for a body with the size of the contact against it.
 std::string reason_of(const Rung& rung, double contact_radius) {
   const auto& body = rung.input.body;
   if (body.is_half_space()) return rung.title;
   return fmt::format("{}, a/H = {:.2g}", rung.title, contact_radius / body.thickness);
 }
 
-/// What the whole changes beyond the sum of the rungs.
+/// Change by all assumptions together beyond the sum of the rungs.
 std::optional<double> interaction_in(const Ladder& ladder, Quantity quantity) {
   if (ladder.rungs.size() < 2) return std::nullopt;
   double rest = ladder.whole.off_by.at(quantity).change();
@@ -87,7 +87,7 @@ ordered_json fe_json(const OffBys& all) {
 }
 
 std::string column(const std::string& text, std::size_t width) {
-  // Letters of two bytes take one place.
+  // Letters of two bytes take one column.
   const auto n = static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
   return text + std::string(n < width ? width - n : 1, ' ');

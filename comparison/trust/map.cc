@@ -190,8 +190,8 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
     if (!(bar.total() < all_of_it) || loose.count(quantity) == 0) continue;
     const double unsettled = known.at(both).at(quantity) - loose.at(quantity),
                  by_angles = known.at(more_angles).at(quantity) - known.at(both).at(quantity);
-    // What is left goes with what still changes in a cycle: a ninth of what ten times that does, three times for
-    // safety.
+    // What is left of settling is in proportion to what still changes in a cycle: a ninth of the effect of ten times
+    // that change, times three for safety.
     bar.add(ErrorSource::cycles, std::abs(unsettled) / 3);
     point.changes[quantity] = {known.at(finest).at(quantity) + by_angles, bar.total()};
   }

@@ -33,7 +33,7 @@ const UnitSizes& units_for(Quantity quantity) {
   return unit == "J" ? energies : mdr::ratio_units();
 }
 
-/// Neither blank nor a comment.
+/// Whether a line is neither blank nor a comment.
 bool has_fields(const mdr::TextLine& line) {
   const auto begin = line.text.find_first_not_of(" \t");
   return begin != std::string::npos && line.text[begin] != '#';

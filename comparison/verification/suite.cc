@@ -30,8 +30,9 @@ void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& co
   if (largest) compared.source = name_of(largest->source);
 }
 
-/// What finite elements do not have of MDR's is not a number, and fails; but for the contact radius of a worn profile,
-/// whose flank touches without pressure, and where nothing is refined: coarse rings may not show an edge.
+/// Values of finite elements beside MDR's. A value that they lack is not a number and fails, except the contact radius
+/// of a worn profile, whose flank touches without pressure, and where nothing is refined, as coarse rings may not show
+/// an edge.
 ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof, const ProvedAnswer& answer) {
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.kind == ContactKind::worn;
@@ -74,8 +75,8 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
   return row;
 }
 
-/// By the title of a case, where as many are computed at once as there are cores and share their bodies; what is
-/// refused takes no time. Of more than a thousand cases those that stand for the others.
+/// Expected seconds of each case by its title, where as many are computed at once as there are cores, and share their
+/// bodies; refused cases take no time. Of more than a thousand cases some stand for the others.
 std::map<std::string, double> expected_seconds(const std::vector<SuiteCase>& cases) {
   constexpr std::size_t enough = 1000;
   const std::size_t stride = 1 + (cases.size() - 1) / enough;

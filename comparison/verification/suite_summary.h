@@ -19,7 +19,7 @@ struct QuantitySummary {
   std::vector<double> effectivities = {};  ///< bar over error, where both are finite and the error is not zero
 };
 
-/// By quantity and tolerance.
+/// Summaries by quantity and tolerance.
 using QuantitySummaries = std::map<std::pair<Quantity, double>, QuantitySummary>;
 QuantitySummaries quantity_summaries(const std::vector<SuiteRow>& rows);
 

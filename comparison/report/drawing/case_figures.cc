@@ -160,7 +160,7 @@ constexpr Loop normal_loop{"Normal force over indentation", "d", "F_N"},
     tangential_loop{"Tangential force over displacement", "u_x", "F_x"},
     transverse_loop{"Transverse force over displacement", "u_y", "F_y"};
 
-/// Finite elements as points, MDR as a line.
+/// Series of finite elements as points, and of MDR as a line.
 Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop& loop) {
   const auto [title, x_name, y_name] = loop;
   auto [x, y] = read_columns(r.folder / "history.csv", fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name));
@@ -223,7 +223,7 @@ Figure forces_figure(const StoredResult& r) {
 
 Figure slip_figure(const StoredResult& r) {
   const auto [edges, slips] = read_columns(r.folder / "contact.csv", "r outer [m]", "slip per period [m]");
-  // What is not touched, does not slip.
+  // Rings that are not touched do not slip.
   const auto middles = ring_middles(edges);
   std::vector<double> radius, slip;
   for (std::size_t i = 0; i < slips.size(); ++i) {

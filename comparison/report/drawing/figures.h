@@ -13,7 +13,7 @@ struct Figure {
   std::string caption;
 };
 
-/// For the template `figures`.
+/// The figures as a filling of the template `figures`.
 Filling filling_of(const std::vector<Figure>& figures);
 
 /// Stick radius over the phase, one plot per indenter shape and criterion: MDR as lines, finite elements as points, one

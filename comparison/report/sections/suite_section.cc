@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 // Errors below it are roundoff, or exact zeros, which a logarithmic axis does not show.
 constexpr double smallest_shown = 1e-10;
 
-/// For people, of its name in the JSON.
+/// Title of a quantity by its name in the JSON.
 std::string title_of_quantity(const std::string& name) {
   const auto quantity = quantity_of(name);
   return quantity ? traits_of(*quantity).title : name;
@@ -76,7 +76,7 @@ bool has_all_rows(const ordered_json& json) {
   return json.at("rows").size() == json.at("summary").at("cases").get<std::size_t>();
 }
 
-/// A series a tolerance of a quantity.
+/// A series for each tolerance of a quantity.
 Plot error_bar_plot(const ordered_json& rows) {
   std::map<double, Series> by_tolerance;
   double largest = smallest_shown;

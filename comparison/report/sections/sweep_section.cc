@@ -106,7 +106,7 @@ bool is_any(const Family& family, Quantity quantity) {
   return curves_of(family, quantity).largest > 0;
 }
 
-/// By more than a thousandth: what does not change needs no plot.
+/// Whether a quantity changes by more than a thousandth: one that does not needs no plot.
 bool depends_on_entry(const Family& family, Quantity quantity) {
   const auto curves = curves_of(family, quantity);
   const auto [least, most] = std::minmax_element(curves.mdr.begin(), curves.mdr.end());
@@ -122,7 +122,7 @@ bool is_in_the_figures(const Family& family) {
          entry_of(family) == "Wear / Stick radius ratio";
 }
 
-/// By finite elements: of the largest contact, what sticks for good.
+/// What the largest contact does by finite elements: all of it sticks for good, a part of it, or none.
 enum class Regime { sticks, partial_slip, gross_slip };
 
 /// A stick radius over the contact radius; 0: nothing sticks.
@@ -176,7 +176,7 @@ Series level_of(const Family& family, double level, double x_factor, double y_fa
   return line;
 }
 
-/// With room around the points.
+/// Range of an axis, with room around the points.
 std::pair<double, double> range_around(const std::vector<Series>& all, std::vector<double> Series::*values) {
   double least = HUGE_VAL, most = -HUGE_VAL;
   for (const auto& series : all)

@@ -28,7 +28,7 @@ Families families_of_all(const std::vector<StoredResult>& results) {
   return families;
 }
 
-/// Empty: the quantity is not compared, and not told by finite elements alone.
+/// The reading of a quantity by one method; empty: the quantity is neither compared nor told by finite elements alone.
 std::optional<Reading> reading_of(const StoredResult& r, const char* side, Quantity quantity) {
   const char* key = name_of(quantity);
   const auto bars = r.json.at("fe").value("error_estimate", ordered_json::object());

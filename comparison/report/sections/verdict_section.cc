@@ -57,14 +57,14 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// What happens, and what became of MDR.
+/// What happens, and the verdict on MDR.
 std::string sentence_of(const StoredResult& result) {
   const auto answer = answer_of(result.json);
   return (answer.plain.empty() ? "" : capitalised(answer.plain) + ". ") + capitalised(answer.verdict) + "." +
          (answer.model.empty() ? "" : " " + capitalised(answer.model) + ".");
 }
 
-/// What several results come to.
+/// Summary of several results.
 struct Badge {
   const char *kind, *words;
 };
@@ -117,8 +117,8 @@ Extreme extreme_of(const Results& results, Quantity quantity) {
 
 namespace {
 
-/// A row a quantity: how many came to which verdict, and of the case with the largest difference that, its bar and its
-/// tolerance. asked: of those that were asked for, or of the others.
+/// A row for each quantity: the number of each verdict, and the largest difference with the bar and the tolerance of
+/// its case. asked: whether the table is that of the quantities that were asked for, or of the others.
 Table table_of_differences(const Results& results, bool asked) {
   Table table{{"quantity", "cases", "agree", "not resolved", "disagree", "largest difference", "its error bar",
                "its tolerance", "in the case"}};

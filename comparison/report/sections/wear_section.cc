@@ -90,7 +90,7 @@ Table table_of(const Results& results) {
   return table;
 }
 
-/// Every so many points of a curve, in equal distances along it.
+/// Some points of a curve, at equal distances along it.
 Series thinned(const Series& series, double distance) {
   Series few = series;
   few.x.clear();
@@ -103,13 +103,14 @@ Series thinned(const Series& series, double distance) {
   return few;
 }
 
-/// Whether it has worn to its end, and that is the limit that MDR has for it.
+/// Whether wear has ended in a limit that MDR has for it.
 bool is_in_limit(const ordered_json& wear) {
   return wear.at("ends_in_limit").get<bool>() && wear.value("limit_is_reached", true) &&
          wear.value("slip_is_proved", true);
 }
 
-/// All that has worn to its end under one shape: limits as lines, worn profiles as points, a colour a stick radius.
+/// Figure of all cases of one shape that have worn to their end: limits as lines, worn profiles as points, with a
+/// colour for each stick radius.
 Figure claim_figure(const Results& results, const std::string& shape) {
   Plot plot{fmt::format("{}: where wear ends", shape), "r / a_0", "f / d_{max}"};
   std::vector<double> radii;
@@ -146,7 +147,7 @@ std::pair<Axis, Axis> axes_of(const StoredResult& r) {
   return {axis_for({&length}, "m"), axis_for({&depth}, "m")};
 }
 
-/// With a slider over the states of the course; at first the last one.
+/// Figure with a slider over the states of the course, which shows the last one at first.
 Filling sequence_figure(const StoredResult& r) {
   const auto [length, depth] = axes_of(r);
   const auto height = [&, length = length.factor, depth = depth.factor](const char* file, const std::string& column,

@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-/// In CBOR, which keeps every bit of a number.
+/// A message as bytes in CBOR, which keeps every bit of a number.
 std::string bytes_of(const json& message) {
   std::string bytes;
   json::to_cbor(message, bytes);
@@ -69,7 +69,8 @@ std::string operators_made_together(const std::string& description, const fem::S
   const bool is_first = share.number == 0;
   json answer{{"failure", ""}, {"operators", json::array()}};
   try {
-    // All of what is done together comes first: where one process alone gives up, the others must not wait for it.
+    // All work of all processes together comes first: where one process gives up after it, the others do not wait for
+    // it.
     std::vector<Condensed> harmonics;
     for (const auto order : harmonics_of(body)) harmonics.push_back(condensed_together(body, mesh, order, share));
     for (const auto& [key, line, schur, figures] : harmonics) {

@@ -9,7 +9,7 @@
 namespace fretval {
 namespace {
 
-/// What is the same for all operators that this program makes on this processor.
+/// Part of the key that is the same for all operators which this program makes on this processor.
 std::string versions_text() {
   std::string text = "operators " FRETVAL_OPERATORS_HASH "\n";
   for (const auto& [name, version] : versions()) text += fmt::format("{} {}\n", name, version);

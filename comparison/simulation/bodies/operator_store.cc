@@ -65,7 +65,7 @@ std::uintmax_t total_of(const std::vector<StoreEntry>& entries) {
   return total;
 }
 
-/// Writers in the last hour may still be at it.
+/// Files of the last hour may still be being written.
 void remove_left_overs(const fs::path& folder) {
   const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
   std::error_code ignored;
