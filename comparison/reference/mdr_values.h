@@ -60,7 +60,8 @@ struct MdrAnswer {
   std::optional<double> slip_decay = {};
   std::optional<SettlingCycles> cycles_to_shakedown = {};  ///< see settling_cycles
   SteppingErrors stepped = {};
-  /// The largest error of the springs in a depth or amplitude, over that depth or amplitude.
+  /// The largest error of the springs: of depths over the largest indentation, of the tangential amplitude over that
+  /// amplitude.
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, of springs stepped in time; 0: closed form
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite

@@ -29,10 +29,10 @@ struct SurfaceHistory {
   ContactRegion contact;            ///< where any pressure has been in the last cycle
   std::vector<double> dissipated;   ///< by friction, in each cycle
   double tangential_work = 0;       ///< of the indenter along the surface, in the last cycle: int F_x du_x + F_y du_y
-  double normal_work = 0;           ///< into the body, in the last cycle: int F_N dd; 0 without coupling
+  double normal_work = 0;           ///< into the body, in the last cycle: int F_N dd; 0 but for a CoupledContact
   Eigen::Matrix3Xd forces;          ///< F_x, F_y, torque at each step of the last cycle, at the balance times
   Eigen::Matrix2Xd displacement;    ///< u_x, u_y of the indenter at the ends of the steps of the last cycle
-  Eigen::VectorXd depth;            ///< indentation at the ends of the steps of the last cycle; empty without coupling
+  Eigen::VectorXd depth;            ///< into the body, at the ends of these steps; empty but for a CoupledContact
   Eigen::VectorXd normal_force;     ///< sum over the points, at the balance times of the last cycle
   std::vector<StepInPiece> pieces;  ///< of the steps of the cycle along a path; empty: the motion is made of cosines
   std::vector<Eigen::MatrixXd> pressure, traction;  ///< in the last cycle, one field for each step

@@ -14,8 +14,8 @@ struct StuckRings {
   Eigen::Index shakedown;   ///< number of rings that no longer slip
 };
 
-/// Counts rings from the centre that slip by no more than slip_of_stuck_ring() allows and whose friction margin is
-/// always positive.
+/// Counts rings from the centre whose friction margin is always positive and that slip by no more than roundoff from
+/// the start on (first slip), or by no more than slip_of_stuck_ring() in the last period (shakedown).
 StuckRings stuck_rings(const FrictionHistory& friction, const Motion& motion);
 
 /// Edges of the stick zones of first slip and of shakedown.
