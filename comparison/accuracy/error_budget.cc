@@ -27,7 +27,6 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
   if (needs.kind == ContactKind::annuli || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
-  if (needs.memory && traits.rings_with_memory) return *traits.rings_with_memory;
   constexpr double at_a_worn_edge = 2, of_a_smooth_kernel = 2;
   double order = traits.rings.order;
   if (needs.kind == ContactKind::worn) order = std::min(order, at_a_worn_edge);

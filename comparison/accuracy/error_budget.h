@@ -57,17 +57,15 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// of reading the edges at variants, as far as they are known.
 ///
 /// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
-/// rings), first for what the worn edge lets through, in a ring that shrinks with the square. With memory the force
-/// counts as second order, with orders up to the sixth credible, as for all that is of third: the pressure next to the
-/// edge depends on when its ring touched, which coarser rings do not show in full. The tangential amplitude under a
-/// force is of second order: readings of the force that reverse with few rings scatter (2.3e-4, 1.7e-4, 1.1e-5, 3.0e-5
-/// at 32, 48, 96, 192 rings). Time step, start and jumps of wear: second, but for friction with rings that are held
-/// from the start of their step, and for the decay of slip, which takes place in one step: first; where rings touch in
-/// any order (ContactKind::annuli) all that depends on the rings counts as first, up to fourth is credible; creep:
-/// first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48, 96 cycles); far field: fourth (4.5 to 5 measured); grading: at least
-/// third, of a given mesh, whose cells are split, first. Elements: functionals converge like q^(2k) in the degree k, so
-/// the difference D from degree j < k stands for an error of D^(k/j), times 3; at degree 2, whose check is degree 3,
-/// for D itself, times 1.25. Cycles and active set: the difference made by ten times the periodicity or the slack.
+/// rings), first for what the worn edge lets through, in a ring that shrinks with the square. The tangential amplitude
+/// under a force is of second order: readings of the force that reverse with few rings scatter (2.3e-4, 1.7e-4, 1.1e-5,
+/// 3.0e-5 at 32, 48, 96, 192 rings). Time step, start and jumps of wear: second, but for friction with rings that are
+/// held from the start of their step, and for the decay of slip, which takes place in one step: first; where rings
+/// touch in any order (ContactKind::annuli) all that depends on the rings counts as first, up to fourth is credible;
+/// creep: first (2.3e-4, 1.15e-4, 4.6e-5 at 24, 48, 96 cycles); far field: fourth (4.5 to 5 measured); grading: at
+/// least third, of a given mesh, whose cells are split, first. Elements: functionals converge like q^(2k) in the degree
+/// k, so the difference D from degree j < k stands for an error of D^(k/j), times 3; at degree 2, whose check is degree
+/// 3, for D itself, times 1.25. Cycles and active set: the difference made by ten times the periodicity or the slack.
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
                          const Quantities& edge, const CaseNeeds& needs = {},
                          const std::map<Resolution, Quantities>& readings = {});

@@ -12,7 +12,6 @@ const QuantityTraits& traits_of(Quantity quantity) {
       force{Over::sliding_force, "over sliding"}, work{Over::sliding_work, "over sliding"};
   constexpr auto ratio = [](const char* words) { return QuantityScale{Over::nothing, words}; };
   constexpr auto of_case = ratio("over that of the case"), of_largest = ratio("over the largest");
-  constexpr ExpectedOrder by_touch{2, 6};
   // In the order of the enumeration.
   static constexpr std::array<QuantityTraits, all_quantities.size()> table{{
       {"axis_pressure_max", "largest pressure on the axis", "pressure", itself, "Pa", 1, {1}, none},
@@ -27,10 +26,10 @@ const QuantityTraits& traits_of(Quantity quantity) {
       {"first_slip_along", "extent along, first slip", "first slip along", a, "m", 1, {3}, none, friction},
       {"force_outside_stick_zone", "force outside c", "force outside", ratio("over the force"), "", 1, {1}},
       {"friction_work", "energy lost to friction", "friction", work, "J", 10, {2}, cycles, friction},
-      {"indentation_max", "largest indentation", "largest depth", itself, "m", 10, {3}, any, no, no, by_touch},
+      {"indentation_max", "largest indentation", "largest depth", itself, "m", 10, {3}, any},
       {"limiting_amplitude", "amplitude at which slip begins inside c", "amplitude", of_case, "", 1, {1}},
       {"maximum_indentation", "indentation at which the flank touches", "indentation", of_largest, "", 1, {1}},
-      {"normal_force_max", "largest normal force", "normal force", itself, "N", 10, {3}, any, no, no, by_touch},
+      {"normal_force_max", "largest normal force", "normal force", itself, "N", 10, {3}, any},
       {"shakedown_across", "extent across, shakedown", "shakedown across", a, "m", 1, {3}, none, friction},
       {"shakedown_along", "extent along, shakedown", "shakedown along", a, "m", 1, {3}, none, friction},
       {"slip_decay", "decay of slip in a cycle", "slip decay", itself, "", 1, {2}, none, no, settling},

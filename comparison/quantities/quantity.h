@@ -122,9 +122,6 @@ struct QuantityTraits {
   bool of_friction = false;  ///< friction has a part in it: how rings are held in a step matters
   /// It tells how a motion settles, which both methods know less well than the state that it settles to.
   bool of_settling = false;
-  /// In a body with memory the pressure next to the edge depends on when its ring touched, and coarser rings do not
-  /// show all of that. Order of convergence in the rings then; empty: that without memory.
-  std::optional<ExpectedOrder> rings_with_memory = {};
 };
 const QuantityTraits& traits_of(Quantity quantity);
 

@@ -50,6 +50,7 @@ class NormalContact {
   Eigen::VectorXd gap;             ///< at the end of the step
   Eigen::VectorXd balance_gap;     ///< at the balance time
   RingState state;                 ///< at the end of the step
+  Eigen::VectorXd in_contact_for;  ///< time that rings are in contact at the end of the step, over a body with memory
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
@@ -66,7 +67,7 @@ class NormalContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, profile, time, indentation, balance_indentation, pressure, reading, gap, balance_gap, state,
-            contact_, last_increment_);
+            in_contact_for, contact_, last_increment_);
     if (free_surface_) archive(*free_surface_, ends_of_profile_);
     if constexpr (Archive::is_loading::value) start_.rings.load = problem_.series.depths(pressure);
   }
@@ -82,7 +83,7 @@ class NormalContact {
     RingCourses courses;
     StaticContact rings;  ///< with the gaps at the end of the step
     Eigen::VectorXd balance_gap;
-    Eigen::VectorXd depths, depths_of_instant;
+    Eigen::VectorXd depths, depths_of_instant, in_contact_for;  ///< at the balance time
     Opening opening;
     ContactForce reading;
     Eigen::VectorXd target;
@@ -112,7 +113,6 @@ class NormalContact {
   StepTimes times_;
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
-  PressureAtEdge edge_;
   std::vector<BoxState> contact_;
   Start start_;
   Attempt made_;                             // in the last step

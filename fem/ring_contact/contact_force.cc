@@ -47,19 +47,12 @@ std::optional<double> edge_of_contact(const PunchSeries& series, const ContactIn
 
 /// The force on the n_pressed rings around the centre.
 ContactForce central_force(const PunchSeries& series, const ContactInstant& instant, Index n_pressed) {
-  const auto& radii = series.radii();
   const auto edge = edge_of_contact(series, instant, n_pressed);
   const double radius = edge.value_or(series.edges()[n_pressed]);
   const double force = series.integral(instant.depths, n_pressed, n_pressed, radius).value;
-  double too_much = 0;
-  // Not at a sharp edge of the indenter.
-  if (edge && instant.edge != PressureAtEdge::jumps) {
-    const double at_edge = Stencil{radii, instant.depths, n_pressed - n_stencil, n_stencil}(radius);
-    too_much = series.force_per_radius() * at_edge * (radius - radii[n_pressed - 1]) / 2;
-  }
-  const double uncertainty = std::abs(too_much);
-  if (instant.edge == PressureAtEdge::vanishes) return {force - too_much / 2, radius, uncertainty / 2};
-  return {force, radius, uncertainty};
+  if (!edge || !instant.times) return {force, radius};
+  const auto missed = force_missed_at_edge(series, instant.depths, n_pressed, radius, *instant.times);
+  return {force + missed.force, radius, missed.uncertainty};
 }
 
 }  // namespace

@@ -6,20 +6,17 @@
 
 #include "fem/condensation/compliance.h"
 #include "fem/ring_contact/free_surface.h"
+#include "fem/ring_contact/growing_edge.h"
 #include "fem/ring_contact/punch_series.h"
 
 namespace fretval::fem {
-
-/// What the pressure does at the edge of a growing contact: it jumps where only a dashpot adds to the relaxed body;
-/// with branches beside the dashpot it also falls towards the jump as they relax.
-enum class PressureAtEdge { vanishes, jumps, falls_and_jumps };
 
 /// What an instant of a contact is read from; all must outlive this.
 struct ContactInstant {
   const Eigen::VectorXd& pressure;
   const Eigen::VectorXd& depths;  ///< of PunchSeries; where rings touch within a step, of the instant (RingCourses)
   const Opening& opening;
-  PressureAtEdge edge = PressureAtEdge::vanishes;
+  std::optional<TimesInContact> times = {};  ///< of a body with memory
 };
 
 /// What the depths bear beyond the contact around the centre, where rings press beyond the first free one. Around a
@@ -36,10 +33,7 @@ struct ForceBeyond {
 /// Normal force of the depths (see PunchSeries) of the contact around the centre, and where it ends.
 struct ContactForce {
   double force, radius;
-  /// Of the force. Without a dashpot pressures vanish at the edge, in a body with memory maybe within less than a ring:
-  /// half of the difference between depths that go on smoothly to the edge and those that fall to zero from the last
-  /// ring on. (The force is the mean of both.) With both a dashpot and branches, the whole difference.
-  double uncertainty = 0;
+  double uncertainty = 0;  ///< of the force, by what it is next to the edge; see force_missed_at_edge
   ForceBeyond beyond = {};
 
   template <class Archive>

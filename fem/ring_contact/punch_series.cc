@@ -109,11 +109,15 @@ void PunchSeries::to_rings(Eigen::Ref<Eigen::VectorXd> displacements, Index firs
   displacements.array() /= areas_.segment(first, n).array();
 }
 
+double PunchSeries::place_of(double radius) const {
+  return half_space_ ? radius : interpolated(edges_, places_.edges, radius);
+}
+
 template <class Label>
 PunchSeries::Integral PunchSeries::integral_of(const Eigen::VectorXd& depths, const Label& label, Index n_rings,
                                                std::optional<double> end_of_depths) const {
   const Eigen::VectorXd &edges = places_.edges, &places = places_.depths;
-  if (end_of_depths && !half_space_) end_of_depths = interpolated(edges_, edges, *end_of_depths);
+  if (end_of_depths) end_of_depths = place_of(*end_of_depths);
   auto zone = zone_from(0, label, n_rings);
   // The innermost depth is off by the shape of the tip (its ring stands for 4/(3 pi) of its radius under a cone, for
   // 1/2 under a parabola): where the next ones continue smoothly to it, they are continued to the centre instead.

@@ -89,6 +89,10 @@ class PunchSeries {
   [[nodiscard]] const Eigen::VectorXd& edges() const { return edges_; }
   /// Force of a unit punch of the n innermost rings.
   [[nodiscard]] double punch_force(Eigen::Index n) const { return force_per_radius_ * places_.edges[n]; }
+  /// Where the depths of rings lie in the coordinate over which they are integrated, F/k (see above).
+  [[nodiscard]] const Eigen::VectorXd& places() const { return places_.depths; }
+  /// Of a radius.
+  [[nodiscard]] double place_of(double radius) const;
   /// Whether the force of a punch is in proportion to its radius.
   [[nodiscard]] bool is_half_space() const { return half_space_; }
 

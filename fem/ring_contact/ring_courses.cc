@@ -20,6 +20,7 @@ void find_courses(const PunchSeries& series, const RelaxationStep& step, const R
   const Eigen::Index n = load.size(), n_branches = step.n_branches();
   const double following = step.response_to(to_balance), stiffness = step.instantaneous();
   courses.driven.setZero(n);
+  courses.touches_at.setZero(n);
   courses.passing_depths.setZero(n);
   courses.has_turns = false;
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -33,6 +34,7 @@ void find_courses(const PunchSeries& series, const RelaxationStep& step, const R
       turn.share = gap[i] / (gap[i] + inside);
       turn.detour = -turn.share * inside;
       courses.driven[i] = 1 - turn.share;
+      courses.touches_at[i] = turn.share;
       courses.passing_depths[i] = turn.share < step.fraction() ? turn.detour * step.passing_response_to_turn(turn.share)
                                                                : -std::numeric_limits<double>::infinity();
     }

@@ -10,7 +10,8 @@ namespace fretval::fem {
 /// How rings move in a step of the normal history, beyond a constant rate: how far they are driven by the indenter,
 /// whose motion is known exactly, and what the turn of a ring that lifts or touches within the step adds.
 struct RingCourses {
-  Eigen::VectorXd driven;  ///< displacement of each ring per displacement of the indenter
+  Eigen::VectorXd driven;           ///< displacement of each ring per displacement of the indenter
+  Eigen::VectorXd touches_at = {};  ///< share of the step after which a ring touches; 0 for all others
   bool has_turns = false;
   Eigen::VectorXd response = {};  ///< of the body to the turns, at the balance time
   Eigen::MatrixXd memory = {};    ///< of the turns at the end of the step, n_rings x n_branches

@@ -33,7 +33,6 @@ TEST_F(ContactForceTest, IsHertzWhereverTheEdgeIs) {
     const auto contact = contact_force(series_, pressure, gap);
     worst = worse(worst, std::abs(contact.force / exact - 1));
     EXPECT_NEAR(contact.radius, radius, 1e-5);  // third order
-    EXPECT_LT(contact.uncertainty, 1e-6 * exact);
     worst_sum = worse(worst_sum, std::abs(pressure.dot(problem_.compliance.areas) / exact - 1));
     const std::vector<signed char> one_zone(static_cast<std::size_t>(pressure.size()), 0);
     const double unaware = series_.integral(series_.depths(pressure), one_zone).value;
@@ -84,12 +83,12 @@ TEST_F(ContactForceTest, CountsEachRingOnceWhereTheCentreIsFree) {
 
 /// Where rings touch within a step, and have not been in contact before.
 ContactForce read_instant(const PunchSeries& series, const Eigen::VectorXd& pressure, const Eigen::VectorXd& gap,
-                          const Eigen::VectorXd& passing, PressureAtEdge edge) {
+                          const Eigen::VectorXd& passing) {
   RingCourses courses;
   courses.passing_depths = passing;
   Eigen::VectorXd depths = series.depths(pressure);
   courses.to_instant(depths);
-  return contact_force(series, {pressure, depths, {series.displacements(gap)}, edge});
+  return contact_force(series, {pressure, depths, {series.displacements(gap)}});
 }
 
 /// A dashpot under a growing parabola: the Hertz pressure and, up to the same edge, that of a flat punch of the speed
@@ -109,7 +108,7 @@ struct Growing {
   [[nodiscard]] ContactForce read(const PunchSeries& series) const {
     Eigen::VectorXd passing = Eigen::VectorXd::Zero(pressure.size());
     passing[n_pressed - 1] = speed / 2;
-    return read_instant(series, pressure, hertz.gap, passing, PressureAtEdge::jumps);
+    return read_instant(series, pressure, hertz.gap, passing);
   }
 };
 
@@ -134,8 +133,7 @@ TEST_F(ContactForceTest, EndsBeforeRingsThatTouchAfterTheInstant) {
   Eigen::VectorXd late = pressure, passing = Eigen::VectorXd::Zero(pressure.size());
   late += 0.02 * (punch_traction(problem_, n_pressed + 2) - punch_traction(problem_, n_pressed));
   passing.segment(n_pressed, 2).setConstant(-std::numeric_limits<double>::infinity());
-  const auto before = contact_force(series_, pressure, gap),
-             with_late = read_instant(series_, late, gap, passing, PressureAtEdge::vanishes);
+  const auto before = contact_force(series_, pressure, gap), with_late = read_instant(series_, late, gap, passing);
   EXPECT_NEAR(with_late.force, before.force, 1e-12);
   EXPECT_NEAR(with_late.radius, before.radius, 1e-12);
   EXPECT_GT(contact_force(series_, late, gap).force, 1.0001 * before.force);
