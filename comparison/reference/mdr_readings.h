@@ -11,12 +11,9 @@ namespace fretval {
 /// in time tell by how much they may be off.
 Readings readings_of(const MdrAnswer& answer);
 
-/// These, and what MDR expects of a profile in which nothing wears any more: no slip inside, no force outside, the
-/// flank touches at the largest indentation.
-Readings readings_of_worn(const MdrAnswer& answer);
-
-/// What is compared with finite elements on the same indenter, worn or not.
-Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr);
+/// What is compared with finite elements on the same indenter: these and, of a limiting profile, what MDR expects where
+/// nothing wears any more: no slip inside, no force outside, the flank touches at the largest indentation.
+Readings compared_readings_of(const MdrAnswer& answer);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.
 nlohmann::ordered_json to_json(const MdrAnswer& answer);
