@@ -67,7 +67,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// k, so the difference D from degree j < k stands for an error of D^(k/j), times 3; at degree 2, whose check is degree
 /// 3, for D itself, times 1.25. Cycles and active set: the difference made by ten times the periodicity or the slack.
 ErrorBudget error_budget(const Resolution& resolution, const std::map<Resolution, Quantities>& known,
-                         const Quantities& edge, const CaseNeeds& needs = {},
+                         const Quantities& edge, const CaseNeeds& needs = CaseNeeds(),
                          const std::map<Resolution, Quantities>& readings = {});
 
 /// Change of a quantity from the coarser resolution to the finer one; NaN where one of them does not have it.

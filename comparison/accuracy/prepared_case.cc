@@ -18,7 +18,8 @@ std::vector<PreparedCase> prepare(const std::vector<Case>& cases) {
           fmt::format("{}: a case named {} is already there; case files need different names", input.file, input.name));
     try {
       const auto mdr = mdr_case(input);
-      prepared.push_back({input, mdr, fem_case(input, mdr), tolerances_of(input.tolerance, input.cycle_tolerance)});
+      prepared.push_back({input, mdr, fem_case(input, expected_contact(mdr), limiting_indenter(mdr)),
+                          tolerances_of(input.tolerance, input.cycle_tolerance)});
       for (auto& warning : implausible_values(input, mdr.profile))
         prepared.back().input.warnings.push_back(std::move(warning));
     } catch (const std::invalid_argument& error) {

@@ -42,6 +42,7 @@ struct FixedByCase {
 /// the smallest contact is of first order, too, as the last rings of that are loaded or free as a whole (1.5e-4, 8e-5,
 /// 4e-5, 2e-5 of a contact radius at 16 to 128 rings).
 struct CaseNeeds {
+  explicit CaseNeeds() = default;  // no list of values without their names
   bool memory = true, creep = false, held_from_start = false;
   ContactKind kind = ContactKind::discs;
   MotionKind motion_kind = MotionKind::cycles;

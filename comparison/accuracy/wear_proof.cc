@@ -66,6 +66,13 @@ void add_stop(const ProvedWear& wear, const Units& units, ErrorBudget& budget) {
   budget[Quantity::worn_volume].add(ErrorSource::cycles, volume * units.volume() / limit.volume);
 }
 
+/// The course of wear has variants of its own: of all that errors depend on, only the memory of the body matters.
+CaseNeeds needs_of_wear(const FemCase& fem) {
+  CaseNeeds needs;
+  needs.memory = fem.relaxation.has_memory();
+  return needs;
+}
+
 /// The budget of wear. The stick radius at the end jumps by rings, and the volume with it: refinements are compared at
 /// the stick radius of the answer, and the error of that is a share of its own.
 ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
@@ -74,7 +81,7 @@ ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, doub
   const auto& [limits, resolution] = std::tie(wear.limits, wear.resolution);
   const auto& fe = computed.all.at(resolution).fe;
   const auto variants = variants_of_wear(resolution);
-  const CaseNeeds needs{prepared.fem.relaxation.has_memory()};
+  const auto needs = needs_of_wear(prepared.fem);
   std::map<Resolution, Quantities> known;
   std::map<Resolution, ProfileChain> worn;
   for (const auto& [other, computation] : computed.all) {
@@ -219,7 +226,7 @@ ErrorBar bar_of_rate(const PreparedCase& prepared, const ProvedWear& wear, const
   return error_bar(
       Quantity::worn_volume, variants_of_wear(wear.resolution),
       [&](const Resolution& finer, const Resolution& coarser) { return (rate_of(finer) - rate_of(coarser)) / rate; },
-      {prepared.fem.relaxation.has_memory()});
+      needs_of_wear(prepared.fem));
 }
 
 /// Whether friction takes more energy than its error bar, as far as there is one.

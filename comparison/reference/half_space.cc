@@ -8,11 +8,10 @@ namespace fretval {
 
 double thickness_of_half_space(const MdrCase& mdr, double poisson_ratio, double share) {
   const double deepest = deepest_indentation(mdr), radius = mdr::inverse_transform(mdr.profile, deepest);
-  const bool by_force = mdr.normal_force || (mdr.path && mdr.path->normal_force);
   const auto infinite = mdr::layer_contact(mdr.profile, {HUGE_VAL, poisson_ratio}, radius);
   const auto is_half_space = [&](double thickness) {
     const mdr::Layer layer{thickness, poisson_ratio};
-    const auto contact = by_force
+    const auto contact = mdr.normal_force
                              ? mdr::layer_contact_under_force(mdr.profile, layer, 1, mdr::normal_force(infinite, 1))
                              : mdr::layer_contact_at_depth(mdr.profile, layer, deepest);
     return std::abs(contact.contact_radius / radius - 1) <= share;

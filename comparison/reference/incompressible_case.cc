@@ -15,10 +15,10 @@ void scale_displacements(Case::Motion& motion, double factor) {
   if (motion.path && !motion.path->tangential_force)
     for (auto* column : {&motion.path->tangential, &motion.path->transverse})
       for (double& displacement : *column) displacement *= factor;
-  for (auto& harmonic : motion.transverse) harmonic.amplitude *= factor;
   motion.tangential_amplitude *= factor;
   if (motion.tangential_force) return;
-  for (auto& harmonic : motion.tangential_harmonics) harmonic.amplitude *= factor;
+  for (auto* harmonics : {&motion.tangential_harmonics, &motion.transverse})
+    for (auto& harmonic : *harmonics) harmonic.amplitude *= factor;
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   try {
     stepped = mdr.layer ? layer_response(mdr, times) : half_space_response(mdr, times);
   } catch (const mdr::GrossSlip& slip) {
-    answer.gross_slip = slip.amplitude;
+    answer.of_kind = GrossSlipShare{slip.amplitude};
     return answer;
   }
   const auto& [response, error] = stepped;
@@ -106,12 +106,14 @@ MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
     answer.stick_radius_first_slip = mdr::stick_radii(mdr.profile, forced.response.depths).first_slip;
   }
   const auto one_each = mdr::one_harmonic_each(motion);
+  LimitingAnswer limiting;
   if (one_each && one_each->tangential_amplitude > 0)
-    answer.limiting_amplitude =
+    limiting.amplitude =
         mdr::tangential_amplitude_for_shakedown(mdr.body, mdr.friction_coefficient, *one_each,
                                                 mdr::transform(mdr.profile, mdr.limiting->stick_radius))
             .value_or(0) /
         one_each->tangential_amplitude;
+  answer.of_kind = limiting;
   if (mdr.normal_force) answer.indentation_max = mdr::maximum_indentation(motion);
   if (mdr.tangential_force) answer.tangential_amplitude = motion.tangential.front().amplitude;
   return answer;
@@ -147,8 +149,7 @@ void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
     stepped = mdr.layer ? layer_path_forces(mdr, mdr.friction_coefficient, *mdr.path, fineness)
                         : mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness);
   } catch (const mdr::GrossSlip& slip) {
-    answer.gross_slip = slip.amplitude;
-    if (mdr.is_single_pass()) answer.gross_slip_time = slip.time;
+    answer.of_kind = GrossSlipShare{slip.amplitude, mdr.is_single_pass() ? std::optional(slip.time) : std::nullopt};
     return;
   }
   const auto& [forces, error, course] = *stepped;

@@ -6,6 +6,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/data/motion_kind.h"
+#include "comparison/scene/scene.h"
 #include "mdr/layer/layer.h"
 #include "mdr/motion/harmonic_motion.h"
 #include "mdr/motion/motion.h"
@@ -25,9 +26,7 @@ struct MdrCase {
   mdr::Profile profile;
   mdr::PronyBody body;
   double friction_coefficient;
-  /// Without still harmonics; time 0: an instant of largest indentation or, where it is prescribed, normal force. A
-  /// force stands in the place of the displacement.
-  mdr::HarmonicMotion motion;
+  mdr::HarmonicMotion motion;                           ///< see motion_of_case
   std::optional<mdr::LimitingProfile> limiting;         ///< Wear / State = limiting: the indenter itself
   bool normal_force = false, tangential_force = false;  ///< what is prescribed; false: displacements
   /// What forces lead to; empty: no forces, a path, a motion in two directions, or no limiting state. A limiting
@@ -57,18 +56,17 @@ struct MdrCase {
   [[nodiscard]] mdr::Prescribed prescribed_normally() const;
 };
 
-/// The motion of the case itself, whatever Poisson's ratio.
-mdr::HarmonicMotion motion_of_case(const MdrCase& mdr);
-
 /// Contact radius of the unworn indenter at an indentation, both in m.
 double unworn_radius_at(const MdrCase& mdr, double indentation);
 
-/// Oscillations in the longest cycle that either method steps through as it is.
-constexpr int longest_cycle = 200;
-
-/// Largest indentation that is reached or, under a normal force, an upper bound of it (mdr::deepest_indentation), which
-/// the body of the finite elements is made for. In a limiting state that forces lead to, that of the state.
+/// Largest indentation that is reached or, under a normal force, an upper bound of it (mdr::deepest_indentation). In a
+/// limiting state that forces lead to, that of the state.
 double deepest_indentation(const MdrCase& mdr);
+
+/// All that finite elements are given of a case by MDR.
+ExpectedContact expected_contact(const MdrCase& mdr);
+/// Empty: the case asks for no limiting profile.
+std::optional<LimitingIndenter> limiting_indenter(const MdrCase& mdr);
 
 /// Throws InputError for a case that is not comparable (see require_comparable), for what has no meaning where MDR does
 /// not hold for the profile (prescribed forces, limiting profiles, wear), or for a limiting state that no tangential
@@ -87,17 +85,6 @@ bool is_comparable(const Case& input);
 /// friction are coupled". Then its answer is one to another model.
 std::vector<std::string> beyond_mdr_model(const Case& input);
 
-/// The parts of a case, whether comparable or not. Tables are read here: InputError with file and line.
-mdr::Profile profile_of(const Case::Indenter& indenter);
-/// "its one-dimensional image g(x) falls for x = 1e-4 to 2e-4 m"; empty: it rises.
-std::string falls_text(const mdr::Profile& profile);
-/// A profile whose image may fall, as that of a table, which profile_of refuses because MDR does not hold for it.
-mdr::Profile any_profile_of(const Case::Indenter& indenter);
-mdr::Rheology rheology_of(const Case::Elastomer& elastomer);
-/// The body in time: a fractional one is approximated from a tenth of its lowest frequency of motion to a thousand
-/// times it.
-mdr::PronyBody body_in_time(const Case& input);
-mdr::HarmonicMotion harmonic_motion_of(const Case::Motion& motion);
 /// What a test rig prescribes, of the first harmonic of each direction.
 mdr::FrettingControl control_of(const mdr::Prescribed& prescribed);
 

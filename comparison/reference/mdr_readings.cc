@@ -25,23 +25,33 @@ void add_cycle(const MdrCycle& cycle, Readings& readings) {
   readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
 }
 
+void take_kind(const UnwornAnswer& /*unused*/, Readings& /*unused*/) {}
+
+void take_kind(const LimitingAnswer& limiting, Readings& readings) {
+  readings[Quantity::limiting_amplitude] = {
+      limiting.amplitude, {}, "nothing moves tangentially", limiting.amplitude.has_value()};
+}
+
+void take_kind(const GrossSlipShare& /*unused*/, Readings& readings) {
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+    readings.at(quantity).why_absent = "the whole contact slides";
+  for (auto& [quantity, reading] : readings) reading.is_compared = false;
+}
+
 }  // namespace
 
 Readings readings_of(const MdrAnswer& answer) {
-  const std::string slides = answer.gross_slip ? "the whole contact slides" : "",
-                    nothing_sticks = slides.empty() ? "nothing sticks" : slides;
   Readings readings{
       {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
       {Quantity::stick_radius_first_slip,
-       {answer.stick_radius_first_slip, if_any(answer.stepped.first_slip), nothing_sticks}},
+       {answer.stick_radius_first_slip, if_any(answer.stepped.first_slip), "nothing sticks"}},
       {Quantity::stick_radius_shakedown,
-       {answer.stick_radius_shakedown, if_any(answer.stepped.shakedown), nothing_sticks}},
+       {answer.stick_radius_shakedown, if_any(answer.stepped.shakedown), "nothing sticks"}},
       {Quantity::worn_radius, {answer.worn_radius, {}, "wear goes on", false}},
       {Quantity::normal_force_max,
        {answer.normal_force_max, if_any(answer.normal_force_error), "not computed; see --springs",
         !answer.indentation_max}},
-      {Quantity::limiting_amplitude,
-       {answer.limiting_amplitude, {}, "the indenter is not worn", answer.limiting_amplitude.has_value()}}};
+      {Quantity::limiting_amplitude, {{}, {}, "the indenter is not worn", false}}};
   if (answer.axis_pressure)
     readings[Quantity::axis_pressure_max] = {answer.axis_pressure->largest, if_any(answer.axis_pressure->error)};
   if (answer.indentation_max)
@@ -55,21 +65,18 @@ Readings readings_of(const MdrAnswer& answer) {
   if (answer.slip_decay) readings[Quantity::slip_decay] = {answer.slip_decay};
   if (const auto& settling = answer.cycles_to_shakedown)
     readings[Quantity::cycles_to_shakedown] = {settling->cycles, if_any(settling->error)};
-  for (auto& [quantity, reading] : readings) reading.is_compared = reading.is_compared && !answer.gross_slip;
+  std::visit([&](const auto& kind) { take_kind(kind, readings); }, answer.of_kind);
   keep_to(answer.motion_kind, readings);
   return readings;
 }
 
-Readings readings_of_worn(const MdrAnswer& answer) {
+Readings compared_readings_of(const MdrAnswer& answer) {
   auto readings = readings_of(answer);
+  if (!answer.as<LimitingAnswer>()) return readings;
   if (answer.wears_no_more()) readings[Quantity::slip_inside_stick_zone] = {0};
   readings[Quantity::force_outside_stick_zone] = {0};
   readings[Quantity::maximum_indentation] = {1};
   return readings;
-}
-
-Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr) {
-  return mdr.limiting ? readings_of_worn(answer) : readings_of(answer);
 }
 
 nlohmann::ordered_json to_json(const MdrAnswer& answer) {
@@ -81,9 +88,11 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
     json["cycle_error"] = {{"force", cycle->force_error}, {"work", cycle->work_error}, {"loop", cycle->loop_error}};
   if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
-  if (answer.gross_slip) json["gross_slip"] = *answer.gross_slip;
   if (answer.steady_sliding_share) json["steady_sliding_share"] = *answer.steady_sliding_share;
-  if (answer.gross_slip_time) json["gross_slip_time"] = *answer.gross_slip_time;
+  if (const auto* slip = answer.as<GrossSlipShare>()) {
+    json["gross_slip"] = slip->amplitude;
+    if (slip->time) json["gross_slip_time"] = *slip->time;
+  }
   return json;
 }
 

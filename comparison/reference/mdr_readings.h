@@ -11,12 +11,10 @@ namespace fretval {
 /// Springs that were stepped in time have an uncertainty.
 Readings readings_of(const MdrAnswer& answer);
 
-/// The readings of an answer, and those that MDR expects of a profile in which nothing wears any more: no slip inside,
-/// no force outside, the flank touches at the largest indentation.
-Readings readings_of_worn(const MdrAnswer& answer);
-
-/// The readings that are compared with finite elements on the same indenter, worn or not.
-Readings compared_readings_of(const MdrAnswer& answer, const MdrCase& mdr);
+/// The readings that are compared with finite elements on the same indenter. Of a limiting profile these contain what
+/// MDR expects where nothing wears any more: no slip inside, no force outside, the flank touches at the largest
+/// indentation.
+Readings compared_readings_of(const MdrAnswer& answer);
 
 /// The "mdr" object of result.json. SI units; null where nothing sticks.
 nlohmann::ordered_json to_json(const MdrAnswer& answer);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 #include "comparison/reference/mdr_case.h"
 #include "mdr/springs/spring_foundation.h"
@@ -36,6 +37,23 @@ struct SteppingErrors {
   double indentation = 0, tangential_amplitude = 0;
 };
 
+/// The part of an answer that an indenter as it is described has: none.
+struct UnwornAnswer {};
+
+/// The part of an answer that an indenter with a limiting profile has.
+struct LimitingAnswer {
+  /// Tangential amplitude that it is the limiting profile for, over that of the case; 0: there is none. Empty: it does
+  /// not move tangentially.
+  std::optional<double> amplitude = {};
+};
+
+/// The whole contact begins to slide under a prescribed tangential force while all amplitudes rise slowly. Then an
+/// answer has nothing else but the normal response.
+struct GrossSlipShare {
+  double amplitude;                 ///< of all oscillations then, over that of the case
+  std::optional<double> time = {};  ///< s, of a single pass, in the time of its rows
+};
+
 /// MDR's answer to a case; SI units. Empty stick radii: nothing sticks. A case that is compared has contact_radius_max
 /// and normal_force_max.
 struct MdrAnswer {
@@ -43,12 +61,9 @@ struct MdrAnswer {
   std::optional<double> contact_radius_max;  ///< empty: a prescribed force that no contact carries without slip
   std::optional<double> stick_radius_first_slip;
   std::optional<double> stick_radius_shakedown;
-  std::optional<double> worn_radius;       ///< a_inf of the limiting profile that belongs to the shakedown radius
-  std::optional<double> normal_force_max;  ///< empty: not computed, or as for contact_radius_max
-  /// Tangential amplitude for which the indenter has the limiting profile, over that of the case; 0: there is none.
-  /// Empty: the indenter is not worn, or does not move tangentially.
-  std::optional<double> limiting_amplitude = {};
-  std::optional<double> indentation_max = {};       ///< periodic; empty: prescribed, or as contact_radius_max
+  std::optional<double> worn_radius;           ///< a_inf of the limiting profile that belongs to the shakedown radius
+  std::optional<double> normal_force_max;      ///< empty: not computed, or as for contact_radius_max
+  std::optional<double> indentation_max = {};  ///< periodic; empty: prescribed, or as contact_radius_max
   std::optional<double> tangential_amplitude = {};  ///< half of the range of u_x; empty as indentation_max
   /// Under prescribed displacements it is set by mdr_answer_with_cycle alone. Empty: the indenter is worn or at rest
   /// tangentially, there is no cycle of at most a few hundred oscillations, or the springs do not become periodic.
@@ -65,13 +80,16 @@ struct MdrAnswer {
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, of springs stepped in time; 0: closed form
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
-  /// The share of all amplitudes at which the whole contact begins to slide under a prescribed tangential force while
-  /// they rise slowly; then all else but the normal response is empty. Empty: it never does.
-  std::optional<double> gross_slip = {};
-  std::optional<double> gross_slip_time = {};       ///< s, of a single pass, in the time of its rows
-  std::optional<double> steady_sliding_share = {};  ///< see steady_sliding_share() of gross_slip.h
+  std::optional<double> steady_sliding_share = {};      ///< see steady_sliding_share() of gross_slip.h
   MotionKind motion_kind = MotionKind::cycles;
+  /// What an answer has by the indenter, or where all of its contact slides.
+  std::variant<UnwornAnswer, LimitingAnswer, GrossSlipShare> of_kind = {};
 
+  /// Null: it is of another kind.
+  template <class Kind>
+  [[nodiscard]] const Kind* as() const {
+    return std::get_if<Kind>(&of_kind);
+  }
   /// Whether all of the largest contact sticks in the end, as it does under a profile that is limiting for the motion.
   [[nodiscard]] bool wears_no_more() const;
 };

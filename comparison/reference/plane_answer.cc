@@ -162,8 +162,9 @@ MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, in
     answer.stick_radius_first_slip = radii.first_slip;
     answer.stick_radius_shakedown = radii.shakedown;
   } catch (const mdr::GrossSlip& slip) {
-    answer.gross_slip = slip.amplitude;
-    if (mdr.is_single_pass()) answer.gross_slip_time = mdr.path->time.front() + slip.time;
+    GrossSlipShare share{slip.amplitude};
+    if (mdr.is_single_pass()) share.time = mdr.path->time.front() + slip.time;
+    answer.of_kind = share;
   }
   return answer;
 }

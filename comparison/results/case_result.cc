@@ -169,14 +169,13 @@ Outcome outcome_of(const CaseResult& result) {
   if (!result.is_compared()) return Outcome::not_compared;
   if (!beyond_mdr_model(result.input).empty()) return Outcome::other_model;
   const auto* fe = result.fe.fe.as<GrossSlipStart>();
-  const auto& mdr = result.mdr;
+  const auto* mdr = result.mdr.as<GrossSlipShare>();
   const double tolerance = result.input.tolerance;
-  const auto& share = mdr.steady_sliding_share;
+  const auto& share = result.mdr.steady_sliding_share;
   const bool must = share && *share < 1 - tolerance, may = !share || *share <= 1 + tolerance;
-  if (!fe && !mdr.gross_slip) return must ? Outcome::disagree : outcome_of(result.comparison);
-  if ((fe != nullptr) != mdr.gross_slip.has_value())
-    return share && may && !must ? Outcome::not_resolved : Outcome::disagree;
-  const bool too_early = share && std::min(fe->amplitude, *mdr.gross_slip) < *share - tolerance;
+  if (!fe && !mdr) return must ? Outcome::disagree : outcome_of(result.comparison);
+  if (!fe || !mdr) return share && may && !must ? Outcome::not_resolved : Outcome::disagree;
+  const bool too_early = share && std::min(fe->amplitude, mdr->amplitude) < *share - tolerance;
   return may && !too_early ? Outcome::agree : Outcome::disagree;
 }
 
@@ -196,7 +195,7 @@ CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof,
   result.rings = given_rings_of(prepared, result.fe);
   result.model = model_errors_of(prepared.input, result.mdr);
   const auto& fem = prepared.fem;
-  result.comparison = compare(readings_of(result.fe.fe, fem.units), compared_readings_of(result.mdr, prepared.mdr),
+  result.comparison = compare(readings_of(result.fe.fe, fem.units), compared_readings_of(result.mdr),
                               scales_of(result.mdr, fem.units.length), prepared.tolerances, result.fe.budget);
   if (!beyond_mdr_model(result.input).empty())
     for (auto& [quantity, difference] : result.comparison) difference.verdict.reset();

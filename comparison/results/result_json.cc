@@ -77,7 +77,7 @@ double unworn_radius(const CaseResult& result) {
 
 ordered_json case_json(const CaseResult& result) {
   const auto& input = result.input;
-  const auto motion = motion_of_case(result.mdr_case);
+  const auto motion = motion_of_case(input.motion, limiting_indenter(result.mdr_case));
   const bool normal_force = result.mdr_case.normal_force, tangential_force = result.mdr_case.tangential_force;
   const auto kind = motion_kind_of(input.motion);
   const auto frequency_of = [&](const std::vector<mdr::Harmonic>& harmonics) {

@@ -98,7 +98,7 @@ Reference reference_of(PreparedCase& prepared, NormalResponses& references) {
   auto normal = references.of(prepared.input, prepared.mdr);
   auto answer = mdr_answer_with_cycle(prepared.mdr, *normal);
   prepared.reference_errors =
-      uncertainties_of(compared_readings_of(answer, prepared.mdr), scales_of(answer, prepared.fem.units.length));
+      uncertainties_of(compared_readings_of(answer), scales_of(answer, prepared.fem.units.length));
   return {std::move(normal), std::move(answer)};
 }
 

@@ -37,7 +37,7 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.kind == ContactKind::worn;
   const auto reference = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  const auto readings = compared_readings_of(reference, prepared.mdr);
+  const auto readings = compared_readings_of(reference);
   const auto scales = scales_of(reference, units.length);
   const auto mdr = compared_quantities(readings, scales, units), mdr_errors = uncertainties_of(readings, scales);
   const auto fe = quantities_of(answer.fe, units);

@@ -10,7 +10,7 @@ namespace fretval {
 /// What finite elements say at the resolution that the case asks for.
 inline FeAnswer simulate_case(const Case& input) {
   const auto mdr = mdr_case(input);
-  const auto fem = fem_case(input, mdr);
+  const auto fem = fem_case(input, expected_contact(mdr), limiting_indenter(mdr));
   return compute_case(fem, fem.resolution, shared_bodies());
 }
 

@@ -64,7 +64,8 @@ inline CaseResult made_up_result() {
   friction.first_slip_margin = Eigen::Vector2d(-0.1, 0.4);
   friction.shakedown_margin = Eigen::Vector2d(0.2, -0.4);
 
-  MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40, 0.95};
+  MdrAnswer mdr{1.5, 1.1, 0.45, 6e-4, 1.9, 40};
+  mdr.of_kind = LimitingAnswer{0.95};
   mdr.axis_pressure = mdr::AxisPressure{12, 0.1};
   const Comparison comparison{
       {Quantity::normal_force_max, {0.0625, 0.1, Verdict::agree, ErrorBar{{{ErrorSource::rings, 0.03125, 2.5}}}}},

@@ -34,7 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const auto cases = fretval::read_case_file(file);
     const auto mdr = fretval::mdr_case(cases.front());
-    static_cast<void>(fretval::fem_case(cases.front(), mdr));
+    static_cast<void>(
+        fretval::fem_case(cases.front(), fretval::expected_contact(mdr), fretval::limiting_indenter(mdr)));
   } catch (const fretval::InputError&) {
   } catch (const std::invalid_argument&) {  // prepare() puts the name of the file before it
   }

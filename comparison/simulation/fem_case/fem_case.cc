@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "comparison/data/path_table.h"
+#include "comparison/scene/scene.h"
 #include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
 #include "comparison/support/constants.h"
-#include "mdr/layer/layer.h"
+#include "fem/contact/half_space.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -100,16 +101,12 @@ void take_rings(FemCase& fem) {
 
 constexpr double least_radius_of_cylinder = 1.6;  // with the rings beyond the contact
 
-/// Whether the indentation follows from a force; then it is only known to be less than over a half-space.
-bool is_by_force(const MdrCase& mdr) {
-  return mdr.normal_force || (mdr.path && mdr.path->normal_force);
-}
-
-/// In the unit of length. Refuses what the rings do not fit on.
-Solid solid_of(const Case& input, const Units& units, bool by_force) {
+/// In the unit of length. Refuses what the rings do not fit on. Under a force the indentation is only known to be less
+/// than over a half-space.
+Solid solid_of(const Case& input, const Units& units) {
   const auto& body = input.body;
   const double length = units.length;
-  if (!by_force && units.depth >= body.thickness)
+  if (!input.motion.normal_force && units.depth >= body.thickness)
     throw InputError(
         fmt::format("{}: Body / Thickness = {:g}: the indenter is pressed in by up to {:.3g} m; expected a "
                     "thicker body, or a smaller indentation",
@@ -126,8 +123,8 @@ Solid solid_of(const Case& input, const Units& units, bool by_force) {
 
 /// Under a prescribed force the depth is that over a half-space, and so is the radius, which a layer hardly changes
 /// then.
-double expected_radius(const Case& input, const MdrCase& mdr, double deepest) {
-  return expected_contact_radius(mdr.profile, deepest, is_by_force(mdr) ? Case::Body{} : input.body,
+double expected_radius(const Case& input, const mdr::Profile& profile, double deepest) {
+  return expected_contact_radius(profile, deepest, input.motion.normal_force ? Case::Body{} : input.body,
                                  input.elastomer.poisson_ratio);
 }
 
@@ -143,12 +140,11 @@ void require_room_on_sphere(const Case& input, const FemCase& fem) {
       input.file, input.indenter.radius, fem.units.depth, a, reach));
 }
 
-std::function<double(double)> profile_in(const Units& units, const Case& input, const MdrCase& mdr) {
+/// unworn: of a table.
+std::function<double(double)> profile_in(const Units& units, const Case::Indenter& indenter,
+                                         const mdr::Profile& unworn) {
   const double length = units.length, depth = units.depth;
-  if (mdr.limiting)
-    return [worn = *mdr.limiting, length, depth](double r) { return mdr::shape(worn, r * length) / depth; };
   // Written out rather than taken from mdr/, so that an error there cannot cancel in the comparison.
-  const auto& indenter = input.indenter;
   switch (indenter.shape) {
     case Case::Shape::parabola:
       return [factor = length * length / (2 * indenter.radius * depth)](double r) { return factor * r * r; };
@@ -172,16 +168,27 @@ std::function<double(double)> profile_in(const Units& units, const Case& input, 
       break;
   }
   // The heights between measured points are data; what MDR adds is their transform. Beyond the rows nothing touches.
-  const double end = mdr.falls().empty() ? std::numeric_limits<double>::infinity() : mdr::end_radius(mdr.profile);
-  return [profile = mdr.profile, length, depth, end](double r) {
-    return mdr::shape(profile, std::min(r * length, end)) / depth;
+  const double end =
+      mdr::falls_of_image(unworn).empty() ? std::numeric_limits<double>::infinity() : mdr::end_radius(unworn);
+  return [unworn, length, depth, end](double r) { return mdr::shape(unworn, std::min(r * length, end)) / depth; };
+}
+
+std::function<double(double)> profile_in(const Units& units, const LimitingIndenter& limiting) {
+  return [height = limiting.height, length = units.length, depth = units.depth](double r) {
+    return height(r * length) / depth;
   };
 }
 
-ContactKind kind_of(const Case& input, const MdrCase& mdr) {
+ContactKind kind_of(const Case& input, const mdr::Profile& unworn, bool is_worn) {
   if (input.contact.is_full()) return ContactKind::plane;
-  if (mdr.limiting) return ContactKind::worn;
-  return mdr.falls().empty() ? ContactKind::discs : ContactKind::annuli;
+  if (is_worn) return ContactKind::worn;
+  return mdr::falls_of_image(unworn).empty() ? ContactKind::discs : ContactKind::annuli;
+}
+
+/// Of a prescribed indentation.
+double deepest_of(const Case::Motion& input, const mdr::HarmonicMotion& motion) {
+  if (const auto& path = input.path) return *std::max_element(path->normal.begin(), path->normal.end());
+  return mdr::maximum_indentation(motion);
 }
 
 /// Surfaces that are pressed sink everywhere, so an indenter touches no further out than it is as deep as it is
@@ -244,21 +251,13 @@ Demand demand_of(const FemCase& fem, bool force, double stiffness, double per_de
   };
 }
 
-/// Force of a unit punch per radius on a half-space, normal and tangential.
-double normal_punch(double poisson_ratio) {
-  return 4 / (1 - poisson_ratio);
-}
-double tangential_punch(double poisson_ratio) {
-  return 8 / (2 - poisson_ratio);
-}
-
 NearCycle near_cycle_of(const FemCase& fem, int n_creep_cycles) {
-  return near_cycle(
-      *fem.without_short_cycle, stiffening_of(fem),
-      {demand_of(fem, fem.motion.normal_force, normal_punch(fem.body.poisson_ratio), 1),
-       demand_of(fem, fem.motion.tangential_force, tangential_punch(fem.body.poisson_ratio), tangential_per_depth(fem)),
-       fem.scales_tangential},
-      n_creep_cycles);
+  return near_cycle(*fem.without_short_cycle, stiffening_of(fem),
+                    {demand_of(fem, fem.motion.normal_force, fem::normal_punch(fem.body.poisson_ratio), 1),
+                     demand_of(fem, fem.motion.tangential_force, fem::tangential_punch(fem.body.poisson_ratio),
+                               tangential_per_depth(fem)),
+                     fem.scales_tangential},
+                    n_creep_cycles);
 }
 
 /// Scales tangential displacements of a near cycle, so that they lead to the forces of the motion that it stands for:
@@ -336,27 +335,28 @@ Resolution first_resolution(const Case& input, const FemCase& fem) {
 }  // namespace
 
 double tangential_per_depth(const FemCase& fem) {
-  return mdr::spring_modulus_ratio(fem.body.poisson_ratio) * fem.friction_coefficient;
+  return fem::normal_over_tangential_punch(fem.body.poisson_ratio) * fem.friction_coefficient;
 }
 
-FemCase fem_case(const Case& input, const MdrCase& mdr) {
-  const double deepest = deepest_indentation(mdr);
-  const auto kind = kind_of(input, mdr);
+FemCase fem_case(const Case& input, const ExpectedContact& expected, const std::optional<LimitingIndenter>& limiting) {
+  const auto motion = motion_of_case(input.motion, limiting);
+  const double deepest = input.motion.normal_force ? expected.largest_indentation : deepest_of(input.motion, motion);
+  const auto unworn = any_profile_of(input.indenter);
+  const auto kind = kind_of(input, unworn, limiting.has_value());
   const double length =
-      kind == ContactKind::annuli ? farthest_depth(input, mdr.profile, deepest) : expected_radius(input, mdr, deepest);
+      kind == ContactKind::annuli ? farthest_depth(input, unworn, deepest) : expected_radius(input, unworn, deepest);
   const Units units{length, deepest, input.elastomer.relaxed_modulus, 1};
   FemCase fem{};
   fem.units = units;
   fem.friction_coefficient = input.friction_coefficient;
-  fem.profile = profile_in(units, input, mdr);
+  fem.profile = limiting ? profile_in(units, *limiting) : profile_in(units, input.indenter, unworn);
   fem.kind = kind;
   fem.body.poisson_ratio = input.elastomer.poisson_ratio;
-  if (!input.body.is_half_space()) fem.solid = solid_of(input, units, is_by_force(mdr));
+  if (!input.body.is_half_space()) fem.solid = solid_of(input, units);
   if (input.body.shape == Case::Body::Shape::mesh) fem.given = given_body(input, units.length);
   fem.full.coupled = input.contact.coupled;
-  if (mdr.limiting_state) fem.carrying_radius = mdr.limiting_state->stick_radius / units.length;
-  if (mdr.limiting)
-    fem.worn_edge = {mdr.limiting->stick_radius / units.length, mdr.limiting->outer_radius / units.length};
+  if (expected.carrying_radius) fem.carrying_radius = *expected.carrying_radius / units.length;
+  if (limiting) fem.worn_edge = {limiting->stick_radius / units.length, limiting->outer_radius / units.length};
   if (input.wear_kinetics && !input.wear_kinetics->profile.empty())
     fem.worn_before = worn_by_heights(input.wear_kinetics->profile, units, fem.profile, input.tolerance);
   else if (input.wear_kinetics && !input.wear_kinetics->rings.empty())
@@ -365,16 +365,15 @@ FemCase fem_case(const Case& input, const MdrCase& mdr) {
   fem.relaxation.viscosity = body.viscosity / units.modulus;
   for (const double modulus : body.branch_moduli) fem.relaxation.moduli.push_back(modulus / units.modulus);
   fem.relaxation.times = body.branch_times;
-  fem.motion.normal_force = mdr.normal_force;
-  fem.motion.tangential_force = mdr.tangential_force;
-  fem.scales_tangential = !mdr.tangential_force && !input.wear_kinetics;
-  const auto motion = motion_of_case(mdr);
+  fem.motion.normal_force = input.motion.normal_force.has_value();
+  fem.motion.tangential_force = input.motion.tangential_force.has_value();
+  fem.scales_tangential = !fem.motion.tangential_force && !input.wear_kinetics;
   const auto cycle = mdr::common_cycle(motion);
   require_few_rows(input);
   fem.motion_kind = motion_kind_of(input.motion);
   if (input.motion.path)
     take_path(*input.motion.path, fem);
-  else if (cycle && (mdr.has_forces() || cycle->highest_order() <= longest_cycle))
+  else if (cycle && (fem.motion.has_forces() || cycle->highest_order() <= longest_cycle))
     take_cycle(motion, *cycle, fem);
   else
     fem.without_short_cycle = motion;

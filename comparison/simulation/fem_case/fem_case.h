@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "comparison/case/case.h"
-#include "comparison/reference/mdr_case.h"
+#include "comparison/data/motion_kind.h"
+#include "comparison/scene/from_mdr.h"
 #include "comparison/simulation/fem_case/body_description.h"
 #include "comparison/simulation/fem_case/given_rings.h"
 #include "comparison/simulation/fem_case/resolution.h"
@@ -14,6 +15,7 @@
 #include "comparison/simulation/fem_case/worn_before.h"
 #include "fem/motion/motion.h"
 #include "fem/motion/relaxation.h"
+#include "mdr/motion/harmonic_motion.h"
 
 namespace fretval {
 
@@ -88,8 +90,10 @@ struct FemCase {
 /// moduli of contact, `mu (2 - nu)/(2 (1 - nu))`, which is a local matter at the edge of a stick zone.
 double tangential_per_depth(const FemCase& fem);
 
-/// At the resolution that the tolerance of the case asks for.
-FemCase fem_case(const Case& input, const MdrCase& mdr);
+/// At the resolution that the tolerance of the case asks for. Of MDR it takes a guess at how deep prescribed forces go,
+/// and the limiting profile where that is the indenter; all else is of the case itself. Throws InputError for what its
+/// mesh has no room for.
+FemCase fem_case(const Case& input, const ExpectedContact& expected, const std::optional<LimitingIndenter>& limiting);
 
 /// Whether its body is a generated layer that goes on outwards, without friction on its base.
 bool is_sliding_layer(const FemCase& fem);

@@ -9,6 +9,7 @@
 #include "fem/ring_contact/static_contact.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
+#include "mdr/stick/limiting_profile.h"
 
 namespace fretval {
 

@@ -140,7 +140,7 @@ std::map<std::string, double> expected_seconds(const PreparedCase& prepared, con
 
 std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan) {
   const auto exact = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  const auto reference = in_units_of(prepared.fem, compared_readings_of(exact, prepared.mdr));
+  const auto reference = in_units_of(prepared.fem, compared_readings_of(exact));
   const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
   Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1,
                     expected_seconds(prepared, plan));

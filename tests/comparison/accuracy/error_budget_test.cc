@@ -153,11 +153,13 @@ TEST(ErrorBudget, BelievesNoOrderInTheStepWhereABranchRelaxesWithinIt) {
 }
 
 TEST(ErrorBudget, HasAShareForEverySourceAndTheEdge) {
+  CaseNeeds unlocked;
+  unlocked.creep = true;
   for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
     const auto resolution = resolution_for(tolerance);
     double value = 0.5;  // another one at each resolution
-    const auto known = all_known(resolution, {true, true}, [&](auto&&) { return value *= 1.001; });
-    const auto budget = error_budget(resolution, known, {{Quantity::stick_radius_shakedown, 1e-5}}, {true, true});
+    const auto known = all_known(resolution, unlocked, [&](auto&&) { return value *= 1.001; });
+    const auto budget = error_budget(resolution, known, {{Quantity::stick_radius_shakedown, 1e-5}}, unlocked);
     const auto& shares = budget.at(Quantity::stick_radius_shakedown).shares;
     // rings, element order, grading, far field, time step, start, creep, cycles, edge
     EXPECT_EQ(shares.size(), 9U);
@@ -185,21 +187,22 @@ TEST(ErrorBudget, BelievesLessOfTheFarFieldOfALayerThatSlides) {
 // Both ways of telling what the reading of an edge costs add up: what it says itself, and the same rings elsewhere.
 TEST(ErrorBudget, MeasuresTheReadingOfEdgesElsewhereInTheirRings) {
   const auto resolution = resolution_for(1e-3);
-  const auto known = all_known(resolution, {}, [](const Resolution& r) { return 0.5 + 1e-3 * r.edge_before_node; });
+  const auto known =
+      all_known(resolution, CaseNeeds(), [](const Resolution& r) { return 0.5 + 1e-3 * r.edge_before_node; });
   const auto budget = error_budget(resolution, known, {{Quantity::stick_radius_shakedown, 1e-5}});
   EXPECT_NEAR(budget.at(Quantity::stick_radius_shakedown).total(), safety * 1e-3 + 1e-5, 1e-12);
 }
 
 TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
   const auto resolution = resolution_for(1e-3);
-  const auto variants = variants_of(resolution, {});
+  const auto variants = variants_of(resolution, CaseNeeds());
   const auto &half = variants[0].resolution, &quarter = variants[1].resolution;
-  const auto known = all_known(resolution, {}, [&](const Resolution& r) {
+  const auto known = all_known(resolution, CaseNeeds(), [&](const Resolution& r) {
     return r == quarter ? 0.44 : r == half ? 0.501 : 0.5;
   });
   const auto bar_with = [&](const Resolution& read) {
     const std::map<Resolution, Quantities> readings{{read, {{Quantity::stick_radius_shakedown, 0.02}}}};
-    return error_budget(resolution, known, {}, {}, readings).at(Quantity::stick_radius_shakedown).total();
+    return error_budget(resolution, known, {}, CaseNeeds(), readings).at(Quantity::stick_radius_shakedown).total();
   };
   EXPECT_NEAR(bar_with(half), 3 * 0.06 / 63, 1e-12);
   EXPECT_NEAR(bar_with(quarter), 3 * 0.04 / 63, 1e-12);
@@ -207,10 +210,10 @@ TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
 
 TEST(ErrorBudget, OfTheCyclesToShakedownTakesTheStartAsItIs) {
   const auto resolution = resolution_for(1e-3);
-  auto known = all_known(resolution, {true}, [](const Resolution& r) { return 0.1 * r.n_ramp_cycles; });
+  auto known = all_known(resolution, CaseNeeds(), [](const Resolution& r) { return 0.1 * r.n_ramp_cycles; });
   for (auto& [r, quantities] : known)
     quantities[Quantity::cycles_to_shakedown] = quantities.at(Quantity::stick_radius_shakedown);
-  const auto budget = error_budget(resolution, known, {}, {true});
+  const auto budget = error_budget(resolution, known, {});
   EXPECT_GT(budget.at(Quantity::stick_radius_shakedown).total(), 0);
   EXPECT_EQ(budget.at(Quantity::cycles_to_shakedown).total(), 0);
 }
@@ -218,7 +221,7 @@ TEST(ErrorBudget, OfTheCyclesToShakedownTakesTheStartAsItIs) {
 TEST(ErrorBudget, MeasuresWhatIsThere) {
   // Errors of third order in the rings and of second in the steps, seen through coarser rings where those are many.
   const auto resolution = resolution_for(1e-4);
-  const auto known = all_known(resolution, {}, [](const Resolution& r) {
+  const auto known = all_known(resolution, CaseNeeds(), [](const Resolution& r) {
     return 0.5 + std::pow(r.elements_per_radius, -3) + 0.1 * std::pow(r.steps_per_cycle, -2);
   });
   const auto budget = error_budget(resolution, known, {});
@@ -237,7 +240,8 @@ TEST(ErrorBudget, TakesFrictionForFirstOrderInTimeWhereRingsAreHeld) {
   const auto resolution = resolution_for(1e-3);
   const auto steps = [&](double share) { return static_cast<int>(share * resolution.steps_per_cycle); };
   const auto estimate = [&](bool held, Quantity quantity) {
-    const CaseNeeds needs{true, false, held};
+    CaseNeeds needs;
+    needs.held_from_start = held;
     auto known = all_known(resolution, needs, [&](const Resolution& r) {
       return r.steps_per_cycle == steps(0.5) ? 0.501 : r.steps_per_cycle == steps(0.25) ? 0.5005 : 0.5;
     });
@@ -262,7 +266,7 @@ TEST(ErrorBudget, KnowsTheElementOrderFromTheOneBelow) {
     auto resolution = some_resolution();
     resolution.degree = degree;
     const auto known =
-        all_known(resolution, {}, [p = degree](const Resolution& r) { return r.degree == p ? 0.5 : 0.5 + d; });
+        all_known(resolution, CaseNeeds(), [p = degree](const Resolution& r) { return r.degree == p ? 0.5 : 0.5 + d; });
     const auto budget = error_budget(resolution, known, {});
     for (const auto& share : budget.at(Quantity::stick_radius_shakedown).shares) {
       const bool order = share.source == ErrorSource::element_order;
@@ -274,7 +278,7 @@ TEST(ErrorBudget, KnowsTheElementOrderFromTheOneBelow) {
 // Errors 1e-3 h + 2e-3 h³ look like third order at h = 1, 2, 4, in which the term of first order is lost.
 TEST(ErrorBudget, SeesFirstOrderInStickRadiiNextToTheSmallestContact) {
   const auto resolution = some_resolution();
-  const auto known = all_known(resolution, {}, [&](const Resolution& r) {
+  const auto known = all_known(resolution, CaseNeeds(), [&](const Resolution& r) {
     const double h = static_cast<double>(resolution.elements_per_radius) / r.elements_per_radius;
     return 0.5 + 1e-3 * h + 2e-3 * h * h * h;
   });
@@ -298,7 +302,8 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
     return coarseness > 3 ? -5.02e-3 : coarseness > 1.5 ? -4.12e-4 : -2.01e-4;
   };
   const auto bar = [&](bool worn) {
-    const CaseNeeds needs{true, false, false, worn ? ContactKind::worn : ContactKind::discs};
+    CaseNeeds needs;
+    needs.kind = worn ? ContactKind::worn : ContactKind::discs;
     return error_budget(resolution, all_known(resolution, needs, value), {}, needs)
         .at(Quantity::stick_radius_shakedown)
         .total();
@@ -311,7 +316,7 @@ TEST(ErrorBudget, TakesGradedRingsForSecondOrder) {
 /// Resolutions that are the coarser one of two of their source.
 std::set<Resolution> coarsest_ones(const Resolution& resolution) {
   std::set<Resolution> coarsest;
-  const auto variants = variants_of(resolution, {});
+  const auto variants = variants_of(resolution, CaseNeeds());
   for (std::size_t i = 1; i < variants.size(); ++i)
     if (variants[i].source == variants[i - 1].source) coarsest.insert(variants[i].resolution);
   return coarsest;
@@ -321,7 +326,7 @@ std::set<Resolution> coarsest_ones(const Resolution& resolution) {
 TEST(ErrorBudget, IsInfiniteWhereAComputationFailedButForTheCoarsest) {
   const auto resolution = some_resolution();
   const auto coarsest = coarsest_ones(resolution);
-  const auto complete = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  const auto complete = all_known(resolution, CaseNeeds(), [](auto&&) { return 0.5; });
   ASSERT_GE(coarsest.size(), 2U);
   EXPECT_EQ(error_budget(resolution, complete, {}).at(Quantity::stick_radius_shakedown).total(), 0);
   for (const auto& [missing, quantities] : complete) {
@@ -336,7 +341,7 @@ TEST(ErrorBudget, IsInfiniteWhereAComputationFailedButForTheCoarsest) {
 // A quantity that the coarsest computation has no value of, where it has others, may be off by anything.
 TEST(ErrorBudget, IsInfiniteWhereTheCoarsestHasNoValue) {
   const auto resolution = some_resolution();
-  auto known = all_known(resolution, {}, [](auto&&) { return 0.5; });
+  auto known = all_known(resolution, CaseNeeds(), [](auto&&) { return 0.5; });
   known[*coarsest_ones(resolution).begin()] = {{Quantity::normal_force_max, 1}};
   EXPECT_EQ(error_budget(resolution, known, {}).at(Quantity::stick_radius_shakedown).total(),
             std::numeric_limits<double>::infinity());

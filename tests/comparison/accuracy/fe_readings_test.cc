@@ -12,7 +12,7 @@ namespace {
 const Units some_units{2, 0.5, 4, 1};  // a force of 4
 
 TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
-  MdrAnswer mdr{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0), 1};
+  MdrAnswer mdr{1.2, 2.5, std::nullopt, 1, std::nullopt, 4 * std::exp(1.0)};
   FeAnswer fe;
   fe.contact_radius_max = 2.5;
   fe.stick_radius_shakedown = 1;
@@ -32,10 +32,11 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   fe.contact_radius_max.reset();
   fe.of_kind = NoWearEvidence{0, 0, 1, 1};
   mdr.contact_radius_max = 1;  // all of it sticks
+  mdr.of_kind = LimitingAnswer{1};
   quantities = quantities_of(fe, some_units);
   EXPECT_EQ(quantities.at(Quantity::limiting_amplitude), 1);
   quantities.erase(Quantity::limiting_amplitude);
-  auto worn = by_mdr(readings_of_worn(mdr));
+  auto worn = by_mdr(compared_readings_of(mdr));
   worn.erase(Quantity::contact_radius_max);
   EXPECT_EQ(quantities, worn);
 }

@@ -9,6 +9,12 @@
 namespace fretval {
 namespace {
 
+CaseNeeds unlocked() {
+  CaseNeeds needs;
+  needs.creep = true;
+  return needs;
+}
+
 /// What stands for how fine a resolution is in the respect of a source, and may be set.
 double entry_of(ErrorSource source, const Resolution& r) {
   switch (source) {
@@ -75,14 +81,14 @@ TEST(Variants, DifferFromTheirReferencesInTheirOwnRespectAlone) {
     for (const bool focused : {false, true}) {
       auto resolution = resolution_for(accuracy);
       if (focused) resolution.focus = Focus{0, 0.25, 0.01};
-      for (const auto& [source, varied, reference] : variants_of(resolution, {true, true, false}))
+      for (const auto& [source, varied, reference] : variants_of(resolution, unlocked()))
         EXPECT_TRUE(differ_only_in(source, varied, reference)) << name_of(source) << ": " << text_of(varied);
     }
 }
 
 // Richardson's estimate takes them for twice and four times as coarse.
 TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
-  const auto variants = variants_of(resolution_for(1e-4), {true, true, false});
+  const auto variants = variants_of(resolution_for(1e-4), unlocked());
   std::map<ErrorSource, int> n;
   for (std::size_t i = 0; i < variants.size(); ++i) {
     const auto& [source, varied, reference] = variants[i];
@@ -103,7 +109,7 @@ TEST(Variants, OfAGivenMeshAreMadeOfItsCells) {
   auto resolution = resolution_for(1e-3);
   resolution.mesh_refinements = 0;
   std::map<ErrorSource, std::vector<Variant>> by_source;
-  for (const auto& variant : variants_of(resolution, {})) by_source[variant.source].push_back(variant);
+  for (const auto& variant : variants_of(resolution, CaseNeeds())) by_source[variant.source].push_back(variant);
   EXPECT_EQ(by_source.count(ErrorSource::far_field), 0U);
   const auto& split = by_source.at(ErrorSource::grading).front();
   EXPECT_EQ(split.resolution.mesh_refinements, 1U);
@@ -114,7 +120,7 @@ TEST(Variants, OfAGivenMeshAreMadeOfItsCells) {
   EXPECT_NEAR(edge.resolution.edge_before_node - edge.reference.edge_before_node, 0.5, 1e-15);
   EXPECT_EQ(by_source.at(ErrorSource::rings).size(), 2U);
   resolution.elements_per_radius = 12;
-  for (const auto& variant : variants_of(resolution, {})) {
+  for (const auto& variant : variants_of(resolution, CaseNeeds())) {
     if (variant.source == ErrorSource::rings) {
       EXPECT_EQ(variant.resolution.elements_per_radius, 24U);
     }
@@ -137,7 +143,7 @@ TEST(Variants, OfRingsAndEdgesHaveHalfTheSteps) {
   EXPECT_EQ(steps_of_rings(with_steps(resolution, 0.5), needs), std::set<int>{resolution.steps_per_cycle / 2});
   needs.moves_by_steps = true;
   EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
-  needs = {};
+  needs = CaseNeeds();
   needs.kind = ContactKind::annuli;
   EXPECT_EQ(steps_of_rings(resolution, needs), std::set<int>{resolution.steps_per_cycle});
 }
@@ -148,22 +154,28 @@ TEST(Variants, AreOfWhatTheCaseNeeds) {
     for (const auto& variant : variants_of(resolution_for(1e-3), needs)) all.insert(variant.source);
     return all;
   };
-  const auto elastic = sources({false, false, false}), with_memory = sources({true, false, false}),
-             unlocked = sources({false, true, false});
+  CaseNeeds needs;
+  const auto with_memory = sources(needs);
+  needs.memory = false;
+  const auto elastic = sources(needs);
+  needs.creep = true;
+  const auto creeping = sources(needs);
   EXPECT_EQ(elastic.count(ErrorSource::start) + elastic.count(ErrorSource::creep), 0U);
   EXPECT_EQ(with_memory.size(), elastic.size() + 1);
   EXPECT_EQ(with_memory.count(ErrorSource::start), 1U);
-  EXPECT_EQ(unlocked.size(), elastic.size() + 1);
-  EXPECT_EQ(unlocked.count(ErrorSource::creep), 1U);
+  EXPECT_EQ(creeping.size(), elastic.size() + 1);
+  EXPECT_EQ(creeping.count(ErrorSource::creep), 1U);
   // Rings of a worn profile end at its edge, and edges of any order are those of rings.
   EXPECT_EQ(elastic.count(ErrorSource::edge), 1U);
-  EXPECT_EQ(sources({false, false, false, ContactKind::worn}).count(ErrorSource::edge), 0U);
-  EXPECT_EQ(sources({false, false, false, ContactKind::annuli}).count(ErrorSource::edge), 0U);
+  for (const auto kind : {ContactKind::worn, ContactKind::annuli}) {
+    needs.kind = kind;
+    EXPECT_EQ(sources(needs).count(ErrorSource::edge), 0U);
+  }
 }
 
 TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
   const auto start = resolution_for(1e-3);
-  for (const auto& [source, varied, reference] : variants_of(start, {true, true, false})) {
+  for (const auto& [source, varied, reference] : variants_of(start, unlocked())) {
     if (source == ErrorSource::edge) continue;
     const double coarser = entry_of(source, varied) - entry_of(source, reference);
     int n = 0;

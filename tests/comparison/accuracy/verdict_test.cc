@@ -30,8 +30,7 @@ FeAnswer fe_with(std::optional<double> stick) {
 Comparison compare(const MdrAnswer& mdr, const FeAnswer& fe, double contact_radius, const Tolerances& tolerances,
                    const ErrorBudget& budget = {}) {
   const Units units{contact_radius, 1, 1, 1};
-  return compare(readings_of(fe, units), fe.as<NoWearEvidence>() ? readings_of_worn(mdr) : readings_of(mdr),
-                 scales_of(mdr, contact_radius), tolerances, budget);
+  return compare(readings_of(fe, units), compared_readings_of(mdr), scales_of(mdr, contact_radius), tolerances, budget);
 }
 
 /// Bars of all that finite elements have, but for the widest.
@@ -85,7 +84,7 @@ TEST(Comparison, HasEveryDifferenceWithItsSignAndTolerance) {
   fe.of_kind = NoWearEvidence{0.125, 0.0625, 0.75, 1.5};
   MdrAnswer mdr = mdr_with(a);
   mdr.stick_radius_first_slip = 0.375 * a;
-  mdr.limiting_amplitude = 1.25;
+  mdr.of_kind = LimitingAnswer{1.25};
   const std::map<Quantity, std::pair<double, double>> wanted{
       {Quantity::contact_radius_max, {0.125, 1e-4}},       {Quantity::normal_force_max, {-0.5, 1e-4}},
       {Quantity::stick_radius_first_slip, {0.0625, 1e-3}}, {Quantity::stick_radius_shakedown, {-0.375, 1e-3}},
@@ -109,7 +108,7 @@ TEST(Comparison, HoldsTheLimitingStateToNoSlipAndNoPressure) {
   fe.of_kind = NoWearEvidence{1e-5, 1e-5, 1, 1};
   MdrAnswer mdr = mdr_with(0.5 * a);
   mdr.contact_radius_max = 0.5 * a;  // all of the contact sticks
-  mdr.limiting_amplitude = 1;
+  mdr.of_kind = LimitingAnswer{1};
   const auto judge = [&] { return outcome_with(mdr, fe) == Outcome::agree; };
   EXPECT_TRUE(judge());
   fe.of_kind = NoWearEvidence{2e-3, 1e-5, 1, 1};

@@ -38,6 +38,20 @@ TEST(IncompressibleCase, HasTheContactOfTheCompressibleHalfSpace) {
   }
 }
 
+// Of the two directions of the surface either both displacements are stretched or none of the forces is.
+TEST(IncompressibleCase, StretchesDisplacementsAndNoForces) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.elastomer.poisson_ratio = 0.3;
+  scene.motion.tangential_harmonics = scene.motion.transverse = {{2e-6, 1, 90}};
+  const auto stretched = incompressible_case(scene);
+  scene.motion.tangential_force = 0.1;
+  const auto forced = incompressible_case(scene);
+  for (const auto harmonics : {&Case::Motion::tangential_harmonics, &Case::Motion::transverse}) {
+    EXPECT_EQ((stretched.input.motion.*harmonics).front().amplitude, 2e-6 * stretched.displacement);
+    EXPECT_EQ((forced.input.motion.*harmonics).front().amplitude, 2e-6);
+  }
+}
+
 TEST(IncompressibleCase, LeavesLayersAsTheyAre) {
   auto scene = suite_case("parabola-elastic-steady", 1e-2);
   scene.elastomer.poisson_ratio = 0.3;

@@ -119,7 +119,7 @@ TEST(MdrAnswer, OfAPassOfForcesIsCattaneosAndMindlins) {
 
 TEST(MdrAnswer, OfAPassSaysWhenItSlides) {
   const auto answer = answer_with_cycle(along_forces({0.5, 0.3}, {0, 0.2}));
-  EXPECT_NEAR(answer.gross_slip_time.value(), 5 + 5.0 / 6, 1e-9);
+  EXPECT_NEAR(answer.as<GrossSlipShare>()->time.value(), 5 + 5.0 / 6, 1e-9);
   EXPECT_FALSE(answer.stick_radius_first_slip);
 }
 

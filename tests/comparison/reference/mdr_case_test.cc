@@ -97,6 +97,23 @@ TEST(MdrCase, LimitingProfileOfForcesIsThatOfTheirState) {
   expect_parts(refusal([&] { mdr_case(input); }), {"Wear / Coefficient = 1e-12", "no limiting state"});
 }
 
+// What finite elements are given: a guess at the depth of forces, and the limiting profile with its amplitude, which is
+// that of the case, whatever Poisson's ratio.
+TEST(MdrCase, GivesFiniteElementsAGuessAndTheLimitingProfile) {
+  const auto forced = mdr_case(forced_case(0.1, 0.05));
+  EXPECT_EQ(expected_contact(forced).largest_indentation, deepest_indentation(forced));
+  EXPECT_EQ(expected_contact(forced).carrying_radius, forced.limiting_state->stick_radius);
+  EXPECT_FALSE(limiting_indenter(forced));
+  auto input = limiting_case(0.6, 2e-6);
+  input.elastomer.poisson_ratio = 0.3;
+  const auto mdr = mdr_case(input);
+  const auto limiting = limiting_indenter(mdr).value();
+  EXPECT_EQ(limiting.stick_radius, mdr.limiting->stick_radius);
+  const double between = (limiting.stick_radius + limiting.outer_radius) / 2;
+  EXPECT_EQ(limiting.height(between), mdr::shape(*mdr.limiting, between));
+  EXPECT_NEAR(limiting.tangential_amplitude * mdr.displacement / mdr.motion.tangential.front().amplitude, 1, 1e-15);
+}
+
 // Wear knows what forces of two frequencies lead to; a limiting profile is asked for by one.
 TEST(MdrCase, ForcesOfTwoFrequenciesHaveALimitingStateForWear) {
   Case input = forced_case(0.1, 0.05);
@@ -116,17 +133,6 @@ TEST(MdrCase, ShakedownAmplitudeNeedsAnIndentation) {
   expect_parts(refusal([&] { mdr_case(input); }), {"Tangential amplitude = shakedown", "Indentation"});
 }
 
-// The cycle of the finite elements begins at the largest indentation, and so does that of the reference.
-TEST(MdrCase, TimeBeginsAtTheLargestIndentation) {
-  Case input = read_case();
-  input.motion.normal_harmonics = {{8e-6, 2, 110}};
-  const auto mdr = mdr_case(input);
-  double depth = mdr.motion.indentation;
-  for (const auto& harmonic : mdr.motion.normal) depth += harmonic.amplitude * std::cos(harmonic.phase);
-  EXPECT_NEAR(depth / mdr::maximum_indentation(harmonic_motion_of(input.motion)), 1, 1e-12);
-  EXPECT_EQ(mdr_case(read_case()).motion.tangential.front().phase, std::acos(-1.0) / 3);
-}
-
 TEST(MdrCase, KnowsWhatATestRigPrescribes) {
   mdr::Prescribed prescribed{{2, {{0.5, 3, 0.1}}, {{0.25, 3, 0.4}}, true}, true, false};
   const auto control = control_of(prescribed);
@@ -143,38 +149,6 @@ TEST(MdrCase, NamesWhatNeedsOneHarmonicInEachDirection) {
   input.motion.normal_harmonics = {{1e-7, 2, 0}};
   expect_parts(refusal([&] { mdr_case(input); }),
                {"Tangential amplitude = shakedown", "one harmonic in each direction"});
-}
-
-// A Prony body stands for the fractional one; the modulus over the frequencies of the motion is all that counts.
-TEST(MdrCase, FractionalBodyHasItsModulusInTime) {
-  Case input = read_case(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"));
-  input.motion.tangential_frequency = 50;
-  const auto rheology = rheology_of(input.elastomer);
-  const auto body = body_in_time(input);
-  for (const double frequency : {1.0, 50.0}) {
-    const double w = mdr::angular_frequency(frequency);
-    EXPECT_NEAR(std::abs(mdr::complex_modulus(body, w) / mdr::complex_modulus(rheology, w) - 1.0), 0, 1e-4);
-  }
-}
-
-// Degrees of the case file are radians of the reference, also of further harmonics.
-TEST(MdrCase, HarmonicsHaveTheirNumbersInRadians) {
-  Case input = read_case();
-  input.motion.normal_harmonics = {{3e-6, 2, 90}};
-  input.motion.tangential_harmonics = {{4e-6, 3, -45}};
-  const auto motion = harmonic_motion_of(input.motion);
-  const double pi = std::acos(-1.0);
-  EXPECT_EQ(motion.indentation, 1e-4);
-  const std::vector<mdr::Harmonic> normal{{2e-5, 1, 0}, {3e-6, 2, pi / 2}},
-      tangential{{1.5e-5, 1, pi / 3}, {4e-6, 3, -pi / 4}};
-  for (const auto& [found, wanted] : {std::pair(motion.normal, normal), {motion.tangential, tangential}}) {
-    ASSERT_EQ(found.size(), wanted.size());
-    for (std::size_t k = 0; k < found.size(); ++k) {
-      EXPECT_EQ(found[k].amplitude, wanted[k].amplitude);
-      EXPECT_EQ(found[k].frequency, wanted[k].frequency);
-      EXPECT_NEAR(found[k].phase, wanted[k].phase, 1e-15);
-    }
-  }
 }
 
 }  // namespace

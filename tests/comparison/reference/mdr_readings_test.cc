@@ -5,12 +5,11 @@
 namespace fretval {
 namespace {
 
-const MdrAnswer some_answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4, 0.9};
+const MdrAnswer some_answer{1.2, 2.5, std::nullopt, 1, std::nullopt, 4};
 
-MdrAnswer unworn_answer() {
-  auto answer = some_answer;
-  answer.limiting_amplitude.reset();
-  return answer;
+Readings readings_of_worn(MdrAnswer answer, std::optional<double> amplitude) {
+  answer.of_kind = LimitingAnswer{amplitude};
+  return compared_readings_of(answer);
 }
 
 TEST(MdrReadings, SayWhyThereIsNoValue) {
@@ -27,18 +26,21 @@ TEST(MdrReadings, SayWhyThereIsNoValue) {
   EXPECT_EQ(readings_of(pass).at(Quantity::stick_radius_first_slip).why_absent, nothing_at_rest);
   EXPECT_FALSE(readings_of(pass).at(Quantity::stick_radius_first_slip).is_compared);
   // Of an unworn indenter it is no amplitude of 0.
-  EXPECT_FALSE(readings_of(unworn_answer()).at(Quantity::limiting_amplitude).is_compared);
+  EXPECT_FALSE(readings_of(some_answer).at(Quantity::limiting_amplitude).is_compared);
 }
 
 TEST(MdrReadings, OfAWornStateAreNoSlipNoForceAndTheWholeIndentation) {
-  EXPECT_EQ(readings_of(some_answer).count(Quantity::force_outside_stick_zone), 0U);
-  const auto worn = readings_of_worn(some_answer);
+  EXPECT_EQ(compared_readings_of(some_answer).count(Quantity::force_outside_stick_zone), 0U);
+  const auto worn = readings_of_worn(some_answer, 0.9);
   EXPECT_EQ(worn.count(Quantity::slip_inside_stick_zone), 0U) << "the outer part of the contact slips";
   EXPECT_EQ(worn.at(Quantity::force_outside_stick_zone).value, 0);
   EXPECT_EQ(worn.at(Quantity::maximum_indentation).value, 1);
   EXPECT_EQ(worn.at(Quantity::limiting_amplitude).value, 0.9);
-  const MdrAnswer all_sticks{1.2, 1, std::nullopt, 1, std::nullopt, 3, 1};
-  EXPECT_EQ(readings_of_worn(all_sticks).at(Quantity::slip_inside_stick_zone).value, 0);
+  const MdrAnswer all_sticks{1.2, 1, std::nullopt, 1, std::nullopt, 3};
+  EXPECT_EQ(readings_of_worn(all_sticks, 1).at(Quantity::slip_inside_stick_zone).value, 0);
+  const auto still = readings_of_worn(all_sticks, std::nullopt).at(Quantity::limiting_amplitude);
+  EXPECT_FALSE(still.is_compared);
+  EXPECT_EQ(still.why_absent, "nothing moves tangentially");
 }
 
 // Springs tell what they may be off by; without memory what friction takes is all that is lost.
@@ -61,8 +63,11 @@ TEST(MdrReadings, OfACycleHaveTheErrorsOfSprings) {
 
 TEST(MdrReadings, OfGrossSlipAreNotCompared) {
   auto answer = some_answer;
-  answer.gross_slip = 0.8;
-  for (const auto& [quantity, reading] : readings_of(answer)) EXPECT_FALSE(reading.is_compared) << name_of(quantity);
+  answer.of_kind = GrossSlipShare{0.8};
+  const auto readings = readings_of(answer);
+  for (const auto& [quantity, reading] : readings) EXPECT_FALSE(reading.is_compared) << name_of(quantity);
+  EXPECT_EQ(readings.at(Quantity::stick_radius_first_slip).why_absent, "the whole contact slides");
+  EXPECT_EQ(readings.at(Quantity::normal_force_max).value, 4) << "the normal response stays";
 }
 
 }  // namespace

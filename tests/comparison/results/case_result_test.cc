@@ -88,11 +88,11 @@ TEST(CaseResult, OfGrossSlipIsHeldToTheBalanceOfForces) {
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "neither finds it";
   result.fe.fe.of_kind = GrossSlipStart{12, 0.933};
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "one of both";
-  result.mdr.gross_slip = 0.859;
+  result.mdr.of_kind = GrossSlipShare{0.859};
   EXPECT_EQ(outcome_of(result), Outcome::agree);
-  result.mdr.gross_slip = 0.75;
+  result.mdr.of_kind = GrossSlipShare{0.75};
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "too early";
-  result.mdr.gross_slip = 0.859;
+  result.mdr.of_kind = GrossSlipShare{0.859};
   result.mdr.steady_sliding_share = 1.2;
   EXPECT_EQ(outcome_of(result), Outcome::disagree) << "the steady motion does not slide";
   result.mdr.steady_sliding_share.reset();

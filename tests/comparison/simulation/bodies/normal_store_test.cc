@@ -101,7 +101,7 @@ TEST_F(FullNormalStoreTest, LetsTheOldestGo) {
 // From a store of its own a case gets the same numbers.
 TEST(NormalStore, DoesNotChangeAnAnswer) {
   const auto input = fixed_case("parabola-solid-90", 16, 24);
-  auto fem = fem_case(input, mdr_case(input));
+  auto fem = prepare({input}).front().fem;
   BodyStore shared, own;
   const auto other = compute_case(fem, fem.resolution, shared);
   fem.motion.tangential.front().phase += 1;

@@ -33,7 +33,7 @@ TEST(FemCase, IsTheSameInMetresAndInNanometres) {
 // Rings of equal width, of a body that is scaled: the contact radius, 1, lies where it is asked for in its ring.
 TEST(FemCase, EdgeLiesElsewhereInItsRing) {
   const auto input = read_case();
-  const auto fem = fem_case(input, mdr_case(input));
+  const auto fem = prepare({input}).front().fem;
   auto resolution = fem.resolution;
   for (const double before_node : {usual_edge_before_node, 0.25, 0.5}) {
     resolution.edge_before_node = before_node;
