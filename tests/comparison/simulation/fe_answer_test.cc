@@ -17,12 +17,13 @@ TEST(FeAnswer, ForceIsReadFromTheEdgeOverTimeWhereNoRingShowsIt) {
   EXPECT_NEAR(simulate_case(dashpot).normal_force_max / exact_answer(dashpot).normal_force_max.value(), 1, 2e-4);
 }
 
-TEST(FeAnswer, ForceIsAsUncertainAsPressuresThatFallWithinTheLastRingLeaveIt) {
+// 9e-7 off; half the difference of two extrapolations to the edge, in place of the load since rings touched, was 4e-5.
+TEST(FeAnswer, ForceFollowsPressuresThatFallWithinTheLastRing) {
   const auto branch = fixed_case("parabola-solid-60", 24, 96);
   const auto relaxing = simulate_case(branch);
-  EXPECT_NEAR(relaxing.normal_force_max, exact_answer(branch).normal_force_max.value(),
-              relaxing.normal_force_uncertainty);
-  EXPECT_LT(relaxing.normal_force_uncertainty, 3e-4 * relaxing.normal_force_max);
+  const double exact = exact_answer(branch).normal_force_max.value();
+  EXPECT_NEAR(relaxing.normal_force_max / exact, 1, 3e-6);
+  EXPECT_LT(relaxing.normal_force_uncertainty, 1e-5 * exact);
 }
 
 // What nothing has touched stays where it is, however coarse the step: 4.6e-6 are the rings'. Where free rings lag

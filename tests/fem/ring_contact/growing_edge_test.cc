@@ -97,7 +97,9 @@ TEST(GrowingEdge, BearsWhatItsBranchesHaveNotRelaxed) {
       const auto worst = worst_of_positions(growing, 32);
       EXPECT_LT(worst.with_edge, 2e-5) << share << ' ' << slowing;
       EXPECT_LT(worst.with_edge, (share < 1 ? 0.03 : 0.7) * worst.plain) << share << ' ' << slowing;
-      if (share < 1) EXPECT_LT(worst.with_edge, 1.2 * worst.uncertainty) << share << ' ' << slowing;
+      if (share < 1) {
+        EXPECT_LT(worst.with_edge, 1.2 * worst.uncertainty) << share << ' ' << slowing;
+      }
       EXPECT_LT(worst_of_positions(growing, 64).with_edge, 5e-6) << share << ' ' << slowing;
     }
 }
