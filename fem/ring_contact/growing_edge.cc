@@ -29,6 +29,14 @@ std::array<double, n_moments> decaying_moments(double z) {
   return moments;
 }
 
+/// Means over a time of z relaxation times: of `exp(-s)`, and of `int_0^s exp(-y) dy` over z. No cancellation at 0.
+double mean_decay(double z) {
+  return z > 0 ? -std::expm1(-z) / z : 1;
+}
+double mean_rise(double z) {
+  return z > 1e-3 ? (z + std::expm1(-z)) / (z * z) : 0.5 - z / 6;
+}
+
 /// Way of the edge since a time ago, `R(t) = c_1 t + c_2 t^2 + c_3 t^3`, in units of the longest time.
 class WayOfEdge {
  public:
@@ -91,12 +99,11 @@ ForceAtEdge force_missed_at_edge(const PunchSeries& series, const Eigen::VectorX
   }
   if (!(way[0] > 0)) return {};
   const ForceAtEdge unknown{0, std::abs(triangle_at_edge(series, depths, last, edge)) / 2};
-  if (!(t[0] > 0 && t[1] > t[0] && t[2] > t[1])) return unknown;
+  if (!(t[0] > 0 && t[1] > t[0] && t[2] > t[1] && t[3] >= t[2])) return unknown;
   const WayOfEdge path(t.head<3>(), way.head<3>());
   if (!path.always_grows()) return unknown;
   // PunchSeries::integral takes the cubic through these four rings from halfway between the inner two of them on.
-  const double half_way = (way[3] - way[2]) / 2, half_time = (t[3] - t[2]) / 2,
-               rate_before = half_time > 0 ? half_way / half_time : 0;
+  const double half_way = (way[3] - way[2]) / 2, half_time = (t[3] - t[2]) / 2;
   Eigen::Vector3d law = relaxation.relaxed * way.head<3>();
   law.array() += relaxation.viscosity * path.rate_now();
   double missed = 0;
@@ -104,10 +111,10 @@ ForceAtEdge force_missed_at_edge(const PunchSeries& series, const Eigen::VectorX
     const double g = relaxation.moduli[i], tau = relaxation.times[i];
     Eigen::Vector4d load;
     for (Index k = 0; k < 3; ++k) load[k] = path.decayed(t[k], tau);
-    const double before = std::exp(-t[2] / tau), halfway = before * std::exp(-half_time / tau);
-    load[3] = load[2] + rate_before * tau * (before - std::exp(-t[3] / tau));
-    const double exact = load[2] * (way[2] + half_way) - path.decayed_moment(tau) +
-                         rate_before * tau * (before * half_way - rate_before * tau * (before - halfway));
+    const double before = std::exp(-t[2] / tau), z = half_time / tau;
+    load[3] = load[2] + 2 * half_way * before * mean_decay(2 * z);
+    const double exact =
+        load[2] * (way[2] + half_way) - path.decayed_moment(tau) + half_way * half_way * before * mean_rise(z);
     missed += g * (exact - Stencil{way, load, 0, n_stencil}.integral(0, way[2] + half_way));
     law += g * load.head<3>();
   }

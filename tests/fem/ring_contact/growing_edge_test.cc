@@ -113,6 +113,23 @@ TEST(GrowingEdge, JumpsByWhatADashpotBears) {
   EXPECT_LT(beside.with_edge, 1e-5);
 }
 
+// The inner two of the four rings touched at the same instant, but for roundoff after many periods.
+TEST(GrowingEdge, IsStableWhereInnerRingsTouchedAtOnce) {
+  const auto& series = normal_half_space(32).series;
+  const RelaxationModel relaxation{1, {2}, {0.1}};
+  Eigen::VectorXd depths = Eigen::VectorXd::Zero(series.radii().size()), times = depths;
+  for (Index i = 0; i < 12; ++i) {
+    depths[i] = 0.5 - series.radii()[i];
+    times[i] = i < 10 ? 0.3 : 0.1 * static_cast<double>(12 - i);
+  }
+  const double edge = series.radii()[11] + 0.5 / 32;
+  const auto read = [&] { return force_missed_at_edge(series, depths, 12, edge, {relaxation, times}).force; };
+  const double at_once = read();
+  times[8] += 1e-15;
+  EXPECT_NEAR(read(), at_once, 1e-12);
+  EXPECT_NE(at_once, 0);
+}
+
 TEST(GrowingEdge, IsNotKnownWhereRingsWereTouchedAtOnce) {
   constexpr unsigned rings = 32;
   const auto& series = normal_half_space(rings).series;
