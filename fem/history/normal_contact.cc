@@ -12,8 +12,6 @@
 namespace fretval::fem {
 namespace {
 
-constexpr double long_ago = 1e6;  // periods: the contact of the start
-
 double total_force(const ContactForce& reading) {
   return reading.force + reading.beyond.force;
 }
@@ -46,7 +44,7 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
   if (touches_in_order() && relaxation.has_memory()) {
     free_surface_.emplace(problem.series, state, (contact.pressure.array() > 0).count());
     ends_of_profile_ = problem.series.displacements(profile);
-    in_contact_for = (contact.pressure.array() > 0).select(long_ago, Eigen::VectorXd::Zero(profile.size()));
+    in_contact_for = (contact.pressure.array() > 0).select(infinity, Eigen::VectorXd::Zero(profile.size()));
   }
   reading.force *= relaxation.relaxed;
   pressure = relaxation.relaxed * contact.pressure;
@@ -80,17 +78,17 @@ void NormalContact::read(double depth, Attempt& made) const {
     return;
   }
   made.depths_of_instant = made.depths;
+  std::optional<TimesInContact> times;
   if (relaxation_.has_memory()) {
     made.courses.to_instant(made.depths_of_instant);
     free_surface_->find_opening(step_, ends_of_profile_, depth, made.opening);
     made.in_contact_for = in_contact_for + dt_ * (step_.fraction() - made.courses.touches_at.array()).max(0).matrix();
+    times.emplace(TimesInContact{relaxation_, made.in_contact_for});
   } else {
     made.opening.value = made.balance_gap;
     series.to_displacements(made.opening.value);
   }
-  ContactInstant instant{pressure_made, made.depths_of_instant, made.opening};
-  if (relaxation_.has_memory()) instant.times.emplace(TimesInContact{relaxation_, made.in_contact_for});
-  made.reading = contact_force(series, instant);
+  made.reading = contact_force(series, {pressure_made, made.depths_of_instant, made.opening, times});
 }
 
 double NormalContact::start_indentation() const {
@@ -196,12 +194,13 @@ void NormalContact::step(const PressureWear& wear) {
   slip_ -= courses.left_behind(move.whole.increment);
   step_.advance(state, move.whole, slip_, courses.driven);
   if (courses.has_turns) state.memory += courses.memory;
-  if (free_surface_)
+  if (free_surface_) {
     for (Eigen::Index i = 0; i < gap.size(); ++i)
       in_contact_for[i] = made_.contact[static_cast<std::size_t>(i)] == BoxState::interior
                               ? in_contact_for[i] + dt_ * (1 - courses.touches_at[i])
                               : 0;
-  if (free_surface_) free_surface_->advance(step_, state, made_.contact, made_.reading.radius);
+    free_surface_->advance(step_, state, made_.contact, made_.reading.radius);
+  }
   balance_indentation = motion_.normal_force ? indentation + move.to_balance.increment : position(time).value;
   indentation = motion_.normal_force ? indentation + move.whole.increment : position(times_.begin(n_steps + 1)).value;
   gap.swap(made_.rings.gap);

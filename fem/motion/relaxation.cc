@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "fem/support/mean_decay.h"
+
 namespace fretval::fem {
 
 std::complex<double> stiffening_at(const RelaxationModel& relaxation, double omega) {
@@ -88,10 +90,9 @@ double PronyInterval::passing_memory_of_turn(std::size_t branch, double share, d
 
 double PronyInterval::whole_memory_of_turn(std::size_t branch, double share, double until) const {
   const double z = rate_[branch], modulus = modulus_[branch];
-  const auto mean_decay = [z](double time) { return z * time == 0 ? 1 : -std::expm1(-z * time) / (z * time); };
-  if (until <= share) return modulus * until / share * mean_decay(until);
+  if (until <= share) return modulus * until / share * mean_decay(z * until);
   const double after = until - share;
-  return modulus * (std::exp(-z * after) * mean_decay(share) - after / (1 - share) * mean_decay(after));
+  return modulus * (std::exp(-z * after) * mean_decay(z * share) - after / (1 - share) * mean_decay(z * after));
 }
 
 RelaxationStep::RelaxationStep(const RelaxationModel& model, double dt)

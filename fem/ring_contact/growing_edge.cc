@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "fem/ring_contact/stencil.h"
+#include "fem/support/constants.h"
+#include "fem/support/mean_decay.h"
 
 namespace fretval::fem {
 namespace {
@@ -29,12 +31,9 @@ std::array<double, n_moments> decaying_moments(double z) {
   return moments;
 }
 
-/// Means over a time of z relaxation times: of `exp(-s)`, and of `int_0^s exp(-y) dy` over z. No cancellation at 0.
-double mean_decay(double z) {
-  return z > 0 ? -std::expm1(-z) / z : 1;
-}
+/// `int_0^z (1 - exp(-s)) ds / z^2`: 1/2 at z = 0, where the difference of decays would cancel.
 double mean_rise(double z) {
-  return z > 1e-3 ? (z + std::expm1(-z)) / (z * z) : 0.5 - z / 6;
+  return z > 1e-3 ? (1 - mean_decay(z)) / z : 0.5 - z / 6;
 }
 
 /// Way of the edge since a time ago, `R(t) = c_1 t + c_2 t^2 + c_3 t^3`, in units of the longest time.
@@ -74,14 +73,12 @@ class WayOfEdge {
   Eigen::Vector3d c_;
 };
 
-}  // namespace
-
-namespace {
-
-/// Depths that fall to zero from the last ring on, in the place of the cubic, which goes on to the edge.
-double triangle_at_edge(const PunchSeries& series, const Eigen::VectorXd& depths, Index last, double edge) {
-  const double at_edge = Stencil{series.places(), depths, last + 1 - n_stencil, n_stencil}(edge);
-  return series.force_per_radius() * at_edge * (edge - series.places()[last]) / 2;
+/// Nothing is known of how the depths fall to the edge: they may go on to it as their cubic, or fall to zero from the
+/// last ring on. The uncertainty is half of what lies between.
+ForceAtEdge unknown_fall(const PunchSeries& series, const Eigen::VectorXd& depths, Index last, double edge) {
+  const auto& places = series.places();
+  const double at_edge = Stencil{places, depths, last + 1 - n_stencil, n_stencil}(edge);
+  return {0, std::abs(series.force_per_radius() * at_edge * (edge - places[last]) / 2) / 2};
 }
 
 }  // namespace
@@ -98,10 +95,10 @@ ForceAtEdge force_missed_at_edge(const PunchSeries& series, const Eigen::VectorX
     way[i] = edge - series.places()[last - i];
   }
   if (!(way[0] > 0)) return {};
-  const ForceAtEdge unknown{0, std::abs(triangle_at_edge(series, depths, last, edge)) / 2};
-  if (!(t[0] > 0 && t[1] > t[0] && t[2] > t[1] && t[3] >= t[2])) return unknown;
+  const bool one_after_the_other = 0 < t[0] && t[0] < t[1] && t[1] < t[2] && t[2] < infinity && t[2] <= t[3];
+  if (!one_after_the_other) return unknown_fall(series, depths, last, edge);
   const WayOfEdge path(t.head<3>(), way.head<3>());
-  if (!path.always_grows()) return unknown;
+  if (!path.always_grows()) return unknown_fall(series, depths, last, edge);
   // PunchSeries::integral takes the cubic through these four rings from halfway between the inner two of them on.
   const double half_way = (way[3] - way[2]) / 2, half_time = (t[3] - t[2]) / 2;
   Eigen::Vector3d law = relaxation.relaxed * way.head<3>();

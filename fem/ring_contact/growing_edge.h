@@ -10,7 +10,8 @@ namespace fretval::fem {
 /// How long the rings of a contact over a body with memory have been in contact.
 struct TimesInContact {
   const RelaxationModel& relaxation;
-  const Eigen::VectorXd& ring;  ///< time since each ring was touched, in the unit of the relaxation times
+  const Eigen::VectorXd&
+      ring;  ///< time since each ring was touched, in the unit of the relaxation times; may be infinite
 };
 
 /// A part of a normal force.
@@ -25,9 +26,9 @@ struct ForceAtEdge {
 /// depth is `D = C int_0^t G(y) R'(y) dy`, G the relaxation of the body and C the indentation that one more unit of
 /// radius takes, which varies smoothly. A branch that relaxes while the edge crosses a ring lets D fall to its value at
 /// the edge (zero, or the jump of a dashpot) within less than a ring, where no cubic follows. R(t) is the cubic through
-/// the last three rings in contact and the edge. C is the line through what the last
-/// ring but one and the one before say, at the edge; what the force would differ by with that of the last ring is the
-/// uncertainty.
+/// the last three rings in contact and the edge. C at the edge is on the line through the values that this law gives
+/// for the last ring but one and the one before. The uncertainty is what the force would differ by with the C of the
+/// last ring.
 ///
 /// depths: of PunchSeries, of n_pressed rings, at least four, around the centre; radius: of the edge. Where the last
 /// rings were not touched one after the other, nothing is added, and what depths that fall to zero from the last ring

@@ -33,6 +33,7 @@ TEST_F(ContactForceTest, IsHertzWhereverTheEdgeIs) {
     const auto contact = contact_force(series_, pressure, gap);
     worst = worse(worst, std::abs(contact.force / exact - 1));
     EXPECT_NEAR(contact.radius, radius, 1e-5);  // third order
+    EXPECT_LT(contact.uncertainty, 1e-6 * exact);
     worst_sum = worse(worst_sum, std::abs(pressure.dot(problem_.compliance.areas) / exact - 1));
     const std::vector<signed char> one_zone(static_cast<std::size_t>(pressure.size()), 0);
     const double unaware = series_.integral(series_.depths(pressure), one_zone).value;
