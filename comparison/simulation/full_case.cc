@@ -182,9 +182,39 @@ void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings,
   answer.cycle = cycle;
 }
 
-/// The answer with the steps of the case.
-FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
-                         BodyStore& bodies) {
+/// What friction would take if the indenter slid all the time.
+void add_sliding(const FemCase& fem, const std::optional<FeAnswer>& ring, FeAnswer& answer) {
+  auto& cycle = *answer.cycle;
+  cycle.sliding_force = fem.friction_coefficient * answer.normal_force_max;
+  if (fem.motion.tangential_force && ring && ring->cycle) {
+    cycle.sliding_work = ring->cycle->sliding_work;
+    return;
+  }
+  const auto& history = std::get<SurfaceAnswer>(answer.of_kind).history;
+  const double way =
+      fem.motion.tangential_force ? way_of(history, fem.motion.is_single_pass()) : fem::tangential_path(fem.motion);
+  cycle.sliding_work = cycle.sliding_force * way * fem.units.depth;
+}
+
+void read_stick_radii(FeAnswer& answer) {
+  const auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
+  answer.stick_radius_first_slip = radius_of(surface.never_slipped);
+  answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
+  answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
+  answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
+}
+
+}  // namespace
+
+PlaneZone zone_of(const fem::ContactRegion& region, double length) {
+  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
+                 region.across * length,        region.uncertainty * length, {}};
+  for (const double edge : region.edges) zone.edges.push_back(edge * length);
+  return zone;
+}
+
+FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
+                              BodyStore& bodies) {
   const auto normal = normal_part(problems, fem, bodies.normals);
   const auto& record = *normal.record;
   Stopwatch watch;
@@ -203,79 +233,12 @@ FeAnswer answer_in_steps(const ContactProblems& problems, const FemCase& fem, co
     add_coupling(record.history, rings, fem, answer);
   else
     surface.contact = disc(answer.contact_radius_max.value_or(0), answer.contact_radius_uncertainty, grid.n_kept());
+  add_sliding(fem, ring, answer);
+  read_stick_radii(answer);
   answer.n_cycles = surface.history.n_cycles + record.history.n_cycles;
   answer.n_steps = static_cast<long>(surface.history.n_cycles) * fem.steps_per_cycle();
   answer.normal = record.history;
   answer.seconds = {record.seconds, watch.lap()};
-  return answer;
-}
-
-/// Extrapolates a value of first order in the step by that with fewer steps.
-struct Extrapolation {
-  double gain;  ///< of the difference
-  void operator()(double coarse, double& fine) const { fine += gain * (fine - coarse); }
-  void operator()(const PlaneZone& coarse, PlaneZone& fine) const {
-    if (coarse.radius == 0 || fine.radius == 0) return;
-    for (const auto part : {&PlaneZone::radius, &PlaneZone::along, &PlaneZone::across})
-      (*this)(coarse.*part, fine.*part);
-    for (std::size_t j = 0; j < fine.edges.size(); ++j) (*this)(coarse.edges[j], fine.edges[j]);
-    fine.area = fem::pi * fine.radius * fine.radius;
-  }
-  void operator()(const fem::CycleResponse& coarse, fem::CycleResponse& fine) const {
-    for (const auto part :
-         {&fem::CycleResponse::tangential_force_max, &fem::CycleResponse::tangential_force_mean,
-          &fem::CycleResponse::friction_work, &fem::CycleResponse::bulk_work, &fem::CycleResponse::tangential_work})
-      (*this)(coarse.*part, fine.*part);
-  }
-};
-
-void extrapolate(const FeAnswer& coarse, double ratio, FeAnswer& fine) {
-  const Extrapolation extrapolation{1 / (ratio - 1)};
-  const auto& before = std::get<SurfaceAnswer>(coarse.of_kind);
-  auto& surface = std::get<SurfaceAnswer>(fine.of_kind);
-  extrapolation(before.never_slipped, surface.never_slipped);
-  extrapolation(before.sticks_in_a_cycle, surface.sticks_in_a_cycle);
-  extrapolation(before.contact, surface.contact);
-  extrapolation(before.transverse_force_max, surface.transverse_force_max);
-  extrapolation(before.torque_max, surface.torque_max);
-  extrapolation(*coarse.cycle, *fine.cycle);
-  extrapolation(coarse.normal_force_max, fine.normal_force_max);
-  if (fine.indentation_max) extrapolation(*coarse.indentation_max, *fine.indentation_max);
-  if (fine.tangential_amplitude) extrapolation(*coarse.tangential_amplitude, *fine.tangential_amplitude);
-  if (fine.contact_radius_max) fine.contact_radius_max = surface.contact.radius;
-  fine.n_cycles += coarse.n_cycles;
-  fine.n_steps += coarse.n_steps;
-}
-
-}  // namespace
-
-PlaneZone zone_of(const fem::ContactRegion& region, double length) {
-  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
-                 region.across * length,        region.uncertainty * length, {}};
-  for (const double edge : region.edges) zone.edges.push_back(edge * length);
-  return zone;
-}
-
-FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
-                              BodyStore& bodies) {
-  auto answer = answer_in_steps(problems, fem, ring, bodies);
-  auto coarse = at_resolution(fem, with_steps(fem.resolution, 0.5));
-  coarse.full.second_algorithm = false;  // it confirms the steps of the answer
-  extrapolate(answer_in_steps(problems, coarse, ring, bodies),
-              static_cast<double>(fem.steps_per_cycle()) / coarse.steps_per_cycle(), answer);
-  const auto& surface = std::get<SurfaceAnswer>(answer.of_kind);
-  answer.cycle->sliding_force = fem.friction_coefficient * answer.normal_force_max;
-  if (fem.motion.tangential_force && ring && ring->cycle) {
-    answer.cycle->sliding_work = ring->cycle->sliding_work;
-  } else {
-    const double way = fem.motion.tangential_force ? way_of(surface.history, fem.motion.is_single_pass())
-                                                   : fem::tangential_path(fem.motion);
-    answer.cycle->sliding_work = answer.cycle->sliding_force * way * fem.units.depth;
-  }
-  answer.stick_radius_first_slip = radius_of(surface.never_slipped);
-  answer.first_slip_uncertainty = surface.never_slipped.uncertainty;
-  answer.stick_radius_shakedown = radius_of(surface.sticks_in_a_cycle);
-  answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
   return answer;
 }
 

@@ -15,10 +15,8 @@ namespace fretval {
 /// rings and angles has the errors of its rings and steps, and the ring contact has better readings. Therefore the same
 /// friction is stepped once more with one angle, which is the ring contact to roundoff but for its readings, and the
 /// difference of the two histories, in which these errors cancel, is added to the answer of the ring contact. With
-/// coupling the normal contact is stepped along, and its force and edge are corrected in the same way. Where the
-/// direction of slip turns, or points touch in a step, steps are of first order: with coupling, and for a motion in two
-/// directions, all values are extrapolated from the steps of the case and half as many. Throws fem::SolverError where
-/// the numerics fail.
+/// coupling the normal contact is stepped along, and its force and edge are corrected in the same way. Throws
+/// fem::SolverError where the numerics fail.
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies);
 

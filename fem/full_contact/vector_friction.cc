@@ -6,6 +6,7 @@
 #include "fem/contact/force_balance.h"
 #include "fem/contact/gross_slip.h"
 #include "fem/full_contact/fields.h"
+#include "fem/full_contact/turning_slip.h"
 
 namespace fretval::fem {
 
@@ -54,6 +55,7 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       x_{VectorXd::Zero(limit.size()), MatrixXd::Zero(limit.size(), step_.n_branches())},
       y_(x_),
       balance_{VectorXd::Zero(n_forces()), {}},
+      turning_(MatrixXd::Zero(traction.rows(), traction.cols())),
       arms_(mean_radii(op.radii())) {
   solution_.traction = traction;
 }
@@ -80,6 +82,11 @@ std::optional<StepInPiece> VectorFriction::in_piece() const {
   return step;
 }
 
+/// Slip in the next step that is due to the turning of the traction.
+MatrixXd VectorFriction::turning() const {
+  return std::pow(dt_ / dt_before_, 2) * turning_;
+}
+
 VectorFriction::Moves VectorFriction::moves_in(const NextStep& next, const VectorXd& along) const {
   const auto move = [&](const Course& course, double end) { return move_in(course, next.begin, end, next.inside()); };
   const double fraction = step_.fraction();
@@ -99,6 +106,7 @@ const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const 
                  y = step_.response_without_slip(y_, moves_.y_to_balance);
   MatrixXd pull(traction.rows(), traction.cols());
   pull << as_field(x, limit.rows()), as_field(y, limit.rows());
+  pull -= step_.instantaneous() * turning();
   pull = op_.areas().asDiagonal() * pull;
   pull -= displaced;
   limit = friction_coefficient_ * pressure;
@@ -110,7 +118,11 @@ void VectorFriction::accept() {
   const Index m = limit.cols();
   const auto& [x_to_balance, y_to_balance, x, y] = moves_;
   traction_before = std::exchange(traction, solution_.traction);
-  slip = (op_.areas() * step_.instantaneous()).cwiseInverse().asDiagonal() * solution_.residual;
+  const MatrixXd along_traction =
+      (op_.areas() * step_.instantaneous()).cwiseInverse().asDiagonal() * solution_.residual;
+  slip = along_traction + turning();
+  turning_ = turning_slip(along_traction, traction, traction_before, step_.fraction());
+  dt_before_ = dt_;
   step_.advance(x_, x, as_vector(slip.leftCols(m)));
   step_.advance(y_, y, as_vector(slip.rightCols(m)));
   increment = {x.increment, y.increment};

@@ -37,10 +37,11 @@ IndenterMove move_in(const Course& course, double begin, double end, double insi
 /// A step is that of the unidirectional FrictionContact with discs in the place of intervals: with the response of what
 /// does not slip, w (RelaxationStep), and the slip in the step, s, of each point
 ///
-///   K t = areas (w - instantaneous s),    s = 0 or s along t and |t| = mu p,
+///   K t = areas (w - instantaneous (s + s')),    s = 0 or s along t and |t| = mu p,
 ///
-/// so that the memory of the body is exact for points that stick. Points that touch in a step are held from its start
-/// on. Fields have a row for each ring and a column for each angle, x before y.
+/// so that the memory of the body is exact for points that stick. s' is the part of the slip that is due to the turning
+/// of the traction, by the step before (turning_slip), which makes steps of second order. Points that touch in a step
+/// are held from its start on. Fields have a row for each ring and a column for each angle, x before y.
 class VectorFriction {
  public:
   /// op: operator of tangential fields. It and the motion must outlive this.
@@ -97,8 +98,8 @@ class VectorFriction {
   /// Where the last step lies in its piece of a path, with its balance time as the sample; empty: the motion is made of
   /// cosines.
   [[nodiscard]] std::optional<StepInPiece> in_piece() const;
-  /// Right-hand side of the last friction problem: areas times the displacements that would leave no slip (n_rings x 2
-  /// n_angles).
+  /// Right-hand side of the last friction problem: areas times the displacements that would leave no slip along the
+  /// traction (n_rings x 2 n_angles).
   [[nodiscard]] Eigen::MatrixXd pull() const;
   /// Displacements of the points along the surface at the end of the last step (n_rings x 2 n_angles).
   [[nodiscard]] Eigen::MatrixXd displacements() const;
@@ -115,7 +116,7 @@ class VectorFriction {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, displacement, increment, limit, traction, traction_before, slip, x_, y_, solution_.traction,
-            balance_.displacements, balance_.stiffness);
+            balance_.displacements, balance_.stiffness, turning_, dt_before_);
   }
 
  private:
@@ -135,6 +136,9 @@ class VectorFriction {
   [[nodiscard]] Moves moves_in(const NextStep& next, const Eigen::VectorXd& along) const;
   Moves moves_{};
   BalanceOfForces balance_;  // of the last step under a force
+  [[nodiscard]] Eigen::MatrixXd turning() const;
+  Eigen::MatrixXd turning_;  // turning_slip in a step of dt_before_
+  double dt_before_ = 1;     // length of the last step
   Eigen::VectorXd arms_;     // mean distances of the rings from the axis
 };
 
