@@ -56,13 +56,9 @@ FeAnswer answer_of(const fem::GrossSlip& slip, const FemCase& fem) {
   return answer;
 }
 
-}  // namespace
-
-FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
-  const FemCase fem = at_resolution(fem_case, resolution);
+FeAnswer computed_on_one_mesh(const FemCase& fem, bool keeps_body, BodyStore& bodies) {
   std::shared_ptr<const Body> whole;
-  const bool keeps = fem_case.keeps_body && resolution == fem_case.resolution;
-  const auto body = find_or_make_body(fem.body, bodies, keeps ? &whole : nullptr);
+  const auto body = find_or_make_body(fem.body, bodies, keeps_body ? &whole : nullptr);
 
   FeAnswer answer;
   try {
@@ -73,6 +69,19 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   keep_to(fem.motion_kind, answer);
   answer.body = body->summary;
   answer.whole_body = whole;
+  return answer;
+}
+
+}  // namespace
+
+FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
+  const FemCase fem = at_resolution(fem_case, resolution);
+  auto answer = computed_on_one_mesh(fem, fem_case.keeps_body && resolution == fem_case.resolution, bodies);
+  if (const auto elsewhere = half_a_ring_away(fem, answer)) {
+    auto other = at_resolution(fem_case, *elsewhere);
+    other.full.second_algorithm = false;  // it confirms the steps of the answer
+    average_zones(computed_on_one_mesh(other, false, bodies), answer);
+  }
   return answer;
 }
 

@@ -204,6 +204,16 @@ void read_stick_radii(FeAnswer& answer) {
   answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
 }
 
+/// Moves the edge of a zone halfway to that of another one, where there are both.
+void go_halfway(const PlaneZone& other, PlaneZone& zone) {
+  if (zone.radius == 0 || other.radius == 0) return;
+  for (const auto part : {&PlaneZone::radius, &PlaneZone::along, &PlaneZone::across})
+    zone.*part = (zone.*part + other.*part) / 2;
+  for (std::size_t j = 0; j < zone.edges.size(); ++j) zone.edges[j] = (zone.edges[j] + other.edges[j]) / 2;
+  zone.area = fem::pi * zone.radius * zone.radius;
+  zone.uncertainty = std::max(zone.uncertainty, other.uncertainty);
+}
+
 }  // namespace
 
 PlaneZone zone_of(const fem::ContactRegion& region, double length) {
@@ -211,6 +221,33 @@ PlaneZone zone_of(const fem::ContactRegion& region, double length) {
                  region.across * length,        region.uncertainty * length, {}};
   for (const double edge : region.edges) zone.edges.push_back(edge * length);
   return zone;
+}
+
+bool has_zones_of_points(const FemCase& fem) {
+  return fem.kind == ContactKind::plane && (fem.full.coupled || fem.motion.moves_across());
+}
+
+std::optional<Resolution> half_a_ring_away(const FemCase& fem, const FeAnswer& answer) {
+  const auto& never = answer.stick_radius_first_slip;
+  const double edge = answer.stick_radius_shakedown.value_or(never.value_or(0)), other = never.value_or(edge);
+  if (!has_zones_of_points(fem) || fem.resolution.mesh_refinements || edge == 0) return std::nullopt;
+  auto elsewhere = fem.resolution;
+  elsewhere.edge_before_node += 0.5 * answer.contact_radius_max.value_or(edge) / ((edge + other) / 2);
+  return elsewhere;
+}
+
+void average_zones(const FeAnswer& other, FeAnswer& answer) {
+  const auto* elsewhere = other.as<SurfaceAnswer>();
+  auto* surface = std::get_if<SurfaceAnswer>(&answer.of_kind);
+  if (!elsewhere || !surface) return;
+  for (const auto zone : {&SurfaceAnswer::never_slipped, &SurfaceAnswer::sticks_in_a_cycle, &SurfaceAnswer::contact})
+    go_halfway(elsewhere->*zone, surface->*zone);
+  if (answer.contact_radius_max) answer.contact_radius_max = surface->contact.radius;
+  read_stick_radii(answer);
+  answer.n_cycles += other.n_cycles;
+  answer.n_steps += other.n_steps;
+  answer.seconds.normal += other.seconds.normal;
+  answer.seconds.friction += other.seconds.friction;
 }
 
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/simulation/compute_case.h"
@@ -62,11 +64,16 @@ TEST(FullCase, IsCoupledByPoissonsRatio) {
   EXPECT_LT(change, 0.03);
 }
 
-// A circle sticks within less than MDR's vector springs have, d0 - A.
-TEST(FullCase, OfACircleHasNoDirection) {
+Case around_a_circle() {
   auto scene = with_vector_friction(0.5);
   scene.motion.phase = 0;
   scene.motion.transverse = {{scene.motion.tangential_amplitude, scene.motion.tangential_frequency, 90}};
+  return scene;
+}
+
+// A circle sticks within less than MDR's vector springs have, d0 - A.
+TEST(FullCase, OfACircleHasNoDirection) {
+  const auto scene = around_a_circle();
   const auto answer = answer_to(scene);
   const auto& zone = answer.as<SurfaceAnswer>()->sticks_in_a_cycle;
   EXPECT_NEAR(zone.along / zone.across, 1, 5e-3);
@@ -75,6 +82,67 @@ TEST(FullCase, OfACircleHasNoDirection) {
                springs = std::sqrt(scene.indenter.radius * (scene.motion.indentation - demand));
   EXPECT_LT(zone.radius, springs);
   EXPECT_GT(zone.radius, 0.7 * springs);
+}
+
+// Over a ring the reading of one mesh goes up and down by 0.17 of a ring.
+TEST(FullCase, ReadsAnEdgeAlikeWhereverItLiesInItsRing) {
+  auto fem = prepare({around_a_circle()}).front().fem;
+  fem.resolution.elements_per_radius = 16;
+  BodyStore bodies;
+  std::vector<double> edges;
+  for (const double third : {0.0, 1.0, 2.0}) {
+    auto resolution = fem.resolution;
+    resolution.edge_before_node += third / 3;
+    edges.push_back(compute_case(fem, resolution, bodies).stick_radius_shakedown.value() / fem.units.length);
+  }
+  const auto [least, largest] = std::minmax_element(edges.begin(), edges.end());
+  EXPECT_GT(*least, 0.5);
+  EXPECT_LT(*largest - *least, 0.04 / 16);
+}
+
+TEST(FullCase, MovesTheRingsByHalfOfOneWhereItsZonesEnd) {
+  auto fem = prepare({around_a_circle()}).front().fem;
+  FeAnswer answer;
+  answer.contact_radius_max = 1e-3;
+  answer.stick_radius_first_slip = 4e-4;
+  answer.stick_radius_shakedown = 6e-4;
+  const double place = fem.resolution.edge_before_node;
+  EXPECT_DOUBLE_EQ(half_a_ring_away(fem, answer)->edge_before_node, place + 0.5 / 0.5);
+  answer.stick_radius_first_slip.reset();
+  EXPECT_DOUBLE_EQ(half_a_ring_away(fem, answer)->edge_before_node, place + 0.5 / 0.6);
+  answer.stick_radius_shakedown.reset();
+  EXPECT_FALSE(half_a_ring_away(fem, answer));
+  // Along x the ring contact knows the edges better; it does not where pressure and friction are coupled.
+  answer.stick_radius_shakedown = 6e-4;
+  EXPECT_FALSE(half_a_ring_away(prepare({with_vector_friction(0.3)}).front().fem, answer));
+  EXPECT_TRUE(half_a_ring_away(prepare({with_vector_friction(0.3, true)}).front().fem, answer));
+}
+
+TEST(FullCase, TakesTheMeanOfTwoZones) {
+  FeAnswer one, other, none;
+  one.of_kind = SurfaceAnswer{
+      {12.566370614359172, 2, 2.5, 1.5, 0.1, {1.5, 2.5}}, {}, {}, {0, 9, 9, 9, 0.3, {9, 9}}, 0, 0, {}, {}};
+  other.of_kind = SurfaceAnswer{
+      {0, 4, 4.5, 3.5, 0.4, {3.5, 4.5}}, {0, 1, 1, 1, 0, {1, 1}}, {}, {0, 10, 10, 10, 0.2, {10, 10}}, 0, 0, {}, {}};
+  one.contact_radius_max = 9;
+  one.n_steps = 3;
+  other.n_steps = 4;
+  average_zones(other, one);
+  const auto& zones = *one.as<SurfaceAnswer>();
+  EXPECT_DOUBLE_EQ(zones.never_slipped.area, 9 * 3.141592653589793);
+  EXPECT_EQ(zones.never_slipped.along, 3.5);
+  EXPECT_EQ(zones.never_slipped.across, 2.5);
+  EXPECT_EQ(zones.never_slipped.uncertainty, 0.4);
+  EXPECT_EQ(zones.never_slipped.edges, (std::vector<double>{2.5, 3.5}));
+  EXPECT_EQ(one.stick_radius_first_slip.value(), 3);
+  EXPECT_EQ(one.first_slip_uncertainty, 0.4);
+  EXPECT_FALSE(one.stick_radius_shakedown);  // it is none on one of the meshes
+  EXPECT_EQ(one.contact_radius_max.value(), 9.5);
+  EXPECT_EQ(zones.contact.uncertainty, 0.3);
+  EXPECT_EQ(one.n_steps, 7);
+  none.of_kind = GrossSlipStart{};
+  average_zones(none, one);
+  EXPECT_EQ(one.n_steps, 7);
 }
 
 // To and fro under a constant pressure: the force that a displacement leads to, prescribed, leads to the displacement.
