@@ -53,8 +53,8 @@ void read_wear_by_displacements(const EntryReader& entries, Case& input, const c
 
 void read_wear(const EntryReader& entries, Case& input) {
   if (input.contact.is_full()) {
-    entries.forbid_all("Wear", {"State", "Stick radius ratio", "Profile", "Worn rings"},
-                       "under Contact / Friction = vector wear begins with the indenter as it is described");
+    entries.forbid_all("Wear", {"State", "Stick radius ratio"},
+                       "under Contact / Friction = vector the profile that a motion is limiting for is found by wear");
     return read_wear_by_displacements(
         entries, input, "under Contact / Friction = vector wear needs prescribed displacements that repeat forever");
   }

@@ -22,7 +22,7 @@ Eigen::MatrixXd SurfaceWear::field(const VectorXd& points) const {
 
 Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case) {
   constexpr unsigned rings = 24, degree = 5, angles = 8;
-  constexpr int steps = 72;
+  constexpr int steps = 36;
   constexpr double edge_ring = 1e-2, jump = 0.04;
   Resolution r = of_the_case;
   r.elements_per_radius = input.rings_per_radius.value_or(rings);
@@ -49,11 +49,14 @@ SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinet
   const auto& grid = simulation.grid;
   const auto surface = find_or_make_surface(fem.body, grid.highest_order(), bodies);
   simulation.radii = surface.radii;
-  simulation.unworn = fem::ring_means(fem::ring_compliance(surface, fem::axisymmetric), fem.profile);
+  const auto rings = fem::ring_compliance(surface, fem::axisymmetric);
+  simulation.unworn = fem::ring_means(rings, fem.profile);
   const auto operators = fem::coupled_operators(surface, grid, fem.full.coupled);
   const auto of_indenter = fem::indenter_motion(fem.motion);
-  const VectorXd unworn = simulation.unworn.replicate(grid.n_kept(), 1);
-  const fem::WornProfile profile{unworn, VectorXd::Zero(unworn.size())};
+  const auto at_all_angles = [&](const VectorXd& of_rings) { return of_rings.replicate(grid.n_kept(), 1).eval(); };
+  const VectorXd worn_before = fem.worn_before ? fem::ring_means(rings, fem.worn_before->depth, fem.worn_before->kinks)
+                                               : VectorXd::Zero(simulation.unworn.size());
+  const fem::WornProfile profile{at_all_angles(simulation.unworn), at_all_angles(worn_before)};
   auto contact = std::make_unique<fem::RubbingSurface>(operators, fem.relaxation, fem.motion, of_indenter,
                                                        fem.steps_per_cycle(), profile, fem.friction_coefficient);
   simulation.course = worn_to_its_end(std::move(contact), profile, fem, wear, checkpoints, after_jump);

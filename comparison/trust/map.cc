@@ -74,8 +74,8 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
 /// that it has to die out further than a single case asks for.
 Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
   auto resolution = prepared.fem.resolution;
-  resolution.elements_per_radius = coupled ? 24 : 64;
-  resolution.steps_per_cycle = 96;
+  resolution.elements_per_radius = coupled ? 32 : 64;
+  resolution.steps_per_cycle = 48;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
   return resolution;

@@ -40,6 +40,22 @@ TEST(SurfaceWear, InACircleEatsIntoWhatSticks) {
   EXPECT_EQ(worn.topRows(4).maxCoeff(), 0) << "what sticks does not wear";
 }
 
+// What an indenter has lost before is lost at all angles. One that is worn flat by 0.19 of its indentation touches a
+// radius of 0.9 where it is pressed in as deep as before, and its centre, which sticks, loses no more.
+TEST(SurfaceWear, GoesOnFromWhatHasWornBefore) {
+  auto prepared = wearing_in_a_circle();
+  prepared.fem.worn_before = WornBefore{[](double) { return 0.19; }, {}};
+  auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
+  resolution.wear_jump *= 4;
+  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.6, resolution, shared_bodies(),
+                                          {}, [](const fem::WearCourse&) {});
+  EXPECT_NEAR(wear.course.curve.front().contact_radius, 0.9, 1.0 / 16);
+  const auto first = wear.field(wear.course.worn.front()), last = wear.field(wear.course.worn.back());
+  EXPECT_LT((first.array() - 0.19).abs().maxCoeff(), 1e-12);
+  EXPECT_LT((last.topRows(3).array() - 0.19).abs().maxCoeff(), 1e-12);
+  EXPECT_GT(last.maxCoeff(), 0.25);
+}
+
 // A motion across and one along x with the same numbers are two wears.
 TEST(SurfaceWear, KeepsACheckpointOfItsOwnForEachDirection) {
   const ScratchFolder folder;
