@@ -198,12 +198,12 @@ void read_rows(const std::string& file, const mdr::ChosenColumns& chosen, double
         throw InputError(fmt::format("{}, line {}: a modulus of {:g} Pa; must be positive", file, csv.line_of_row[i],
                                      series.moduli[i]));
   } else {
-    if (std::any_of(values.begin(), values.end(), [](double v) { return v >= 1; }))
+    const bool percent = !csv.units.empty() && csv.units[0] == "%";
+    if (!percent && std::any_of(values.begin(), values.end(), [](double v) { return v >= 1; }))
       throw InputError(fmt::format(
           "{}: column {} has no unit and is no ratio to the instantaneous modulus, with values of 1 and more; moduli "
           "need a unit, for example \"tau,E\" and \"s,MPa\"",
           file, csv.names.empty() ? std::string("1") : csv.names[0]));
-    const bool percent = !csv.units.empty() && csv.units[0] == "%";
     for (double& value : values) value *= percent ? 0.01 : 1;
     series.ratios = std::move(values);
   }

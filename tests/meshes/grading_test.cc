@@ -41,9 +41,10 @@ TEST(GradedNodes, HaveTheEdgeAndTheEndsExactly) {
   }
 }
 
-// Ten tenths are a little less than one: no reason for an eleventh.
+// Ten tenths are a little less than one, and 0.4 less 0.1 is a little more than three: no reason for one more.
 TEST(GradedNodes, AreNoneMoreThanFit) {
-  for (const FineBlock block : {FineBlock{0, 0, 0.1}, FineBlock{1, 1, 0.1}, FineBlock{0, 1, 0.1}}) {
+  for (const FineBlock block :
+       {FineBlock{0, 0, 0.1}, FineBlock{1, 1, 0.1}, FineBlock{0, 1, 0.1}, FineBlock{0.1, 0.4, 0.1}}) {
     const auto nodes = graded_nodes(block, 1, 0.1, 0);
     ASSERT_EQ(nodes.size(), 11U);
     for (std::size_t i = 0; i < nodes.size(); ++i) EXPECT_NEAR(nodes[i], 0.1 * static_cast<double>(i), 1e-15);

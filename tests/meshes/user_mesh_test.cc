@@ -1,5 +1,6 @@
 #include "meshes/user_mesh.h"
 
+#include <fmt/format.h>
 #include <gmsh.h>
 #include <gtest/gtest.h>
 
@@ -107,6 +108,25 @@ TEST_F(UserMesh, MayBeDrawnUprightAndMissItsLinesByRoundoff) {
                                  {"99 7 7 0", "99 7 0 7"}})
     upright = replaced(upright, std::string("\n") + from + "\n", std::string("\n") + to + "\n");
   EXPECT_EQ(read(upright).nodes, read(sheet).nodes);
+}
+
+/// The sheet with all lengths times a factor, and the middle node of its surface lower by a part of its size.
+std::string scaled_sheet(double factor, double lower_by) {
+  std::string nodes = "$Nodes\n9\n";
+  for (int k = 0; k < 9; ++k)
+    nodes += fmt::format("{} {:.17g} {:.17g} 0\n", k + 1, factor * (k % 3),
+                         factor * (k / 3 + 3 - (k == 7 ? 2 * lower_by : 0)));  // 2 is the size
+  const auto begin = sheet.find("$Nodes"), end = sheet.find("$EndNodes");
+  return sheet.substr(0, begin) + nodes + sheet.substr(end);
+}
+
+// Nothing is known of the unit of length: what counts as roundoff is a part of the size.
+TEST_F(UserMesh, MissesItsLinesByAPartOfItsSizeInAnyUnit) {
+  for (const double factor : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    const Mesh mesh = read(scaled_sheet(factor, 1e-10));
+    EXPECT_NEAR(contact_radii(mesh).back(), factor, 1e-12 * factor);
+    expect_error([&] { read(scaled_sheet(factor, 1e-7)); }, {"\"contact\" reaches from z", "must be level"});
+  }
 }
 
 TEST_F(UserMesh, OfOursIsTheSameMesh) {

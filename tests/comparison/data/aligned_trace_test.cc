@@ -42,6 +42,21 @@ TEST(AlignedTrace, IsTheSphereThatWasTraced) {
             true);
 }
 
+// Each place is met three times, by heights 0, 1 and 5 um above the parabola.
+TEST(AlignedTrace, TakesTheMeanOfTheRowsOfAPlace) {
+  std::string text = "x,z\nmm,um\n";
+  for (const double above : {0, 1, 5})
+    for (int i = 0; i <= 100; ++i) {
+      const double x = -1 + 0.02 * i;
+      text += fmt::format("{:.6f},{:.9f}\n", x, 50 * x * x + above);
+    }
+  const ScratchFolder folder;
+  const auto trace = read_aligned_trace(folder.write("trace.csv", text).string(), 0);
+  ASSERT_EQ(trace.x.size(), 101U);
+  for (std::size_t i = 0; i < trace.x.size(); ++i)
+    EXPECT_NEAR(trace.z[i], 50 * trace.x[i] * trace.x[i] + 2e-6, 1e-12) << i;
+}
+
 std::string case_of_trace(const std::string& alignment) {
   const auto begin = valid_case.find("subsection Indenter"), end = valid_case.find("end\n", begin);
   return valid_case.substr(0, begin) + "subsection Indenter\nset Shape = table\nset Table = trace.csv\n" + alignment +

@@ -57,6 +57,18 @@ TEST(BranchesFile, MayBeAnInputOfAbaqus) {
   expect_parts(refusal([] { body_of("*VISCOELASTIC, FREQUENCY=TABULAR\n1,1,1,1,1\n", 1e6); }), {"TIME=PRONY"});
 }
 
+// G = E/(2 (1 + nu)) with the ratio of the file.
+TEST(BranchesFile, OfAbaqusHasTheShearModulusOfItsPoissonRatio) {
+  const auto body = body_of("*ELASTIC\n2.6e6, 0.3\n*VISCOELASTIC, TIME=PRONY\n 0.5, 0., 0.1\n 0.25, 0., 10.\n");
+  EXPECT_NEAR(body.relaxed_modulus, 1e6, 1e-6);
+  EXPECT_NEAR(body.branch_moduli.at(0), 2e6, 1e-6);
+}
+
+TEST(BranchesFile, TakesRatiosInPercent) {
+  expect_the_body(body_of("G0 = 4 MPa\ng_i,tau_i\n%,s\n50,0.1\n25,10\n"), "percent");
+  expect_parts(refusal([] { body_of("G0 = 4 MPa\ng_i,tau_i\n%,s\n150,0.1\n"); }), {"a ratio of 1.5"});
+}
+
 TEST(BranchesFile, IsRefusedByName) {
   for (const auto& [text, part] :
        {std::pair("g_i,tau_i\n0.5,0.1\n", "says neither the instantaneous nor the relaxed modulus"),

@@ -38,6 +38,15 @@ TEST(PathTable, IsReadWithItsUnits) {
   EXPECT_EQ(read("t [min];d [mm];u_x [nm]\n1;1;1\n2;1;1\n", false).time.front(), 60);
 }
 
+// A triangle that rises in a quarter of its time and falls in the rest has its mean in the middle.
+TEST(PathTable, RestsAtItsMeanOverTime) {
+  const auto path = read("t,d,u_x\ns,um,um\n0,100,5\n0.5,130,-3\n2,100,5\n", true);
+  EXPECT_NEAR(rest_of(path).normal, 1.15e-4, 1e-18);
+  EXPECT_NEAR(rest_of(path).tangential, 1e-6, 1e-18);
+  const auto held = read("t,d,u_x\ns,um,um\n0,100,0\n1,100,0\n2,140,0\n3,140,0\n4,100,0\n", true);
+  EXPECT_NEAR(rest_of(held).normal, 1.2e-4, 1e-18);
+}
+
 TEST(PathTable, IsReadInEveryDialect) {
   const auto path = read(
       "Rig;7\r\nu_x [\xB5m];T [\xB0"

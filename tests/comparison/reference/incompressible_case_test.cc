@@ -52,6 +52,55 @@ TEST(IncompressibleCase, StretchesDisplacementsAndNoForces) {
   }
 }
 
+TEST(IncompressibleCase, StretchesAPathOfDisplacementsAndNoneOfForces) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  scene.elastomer.poisson_ratio = 0.3;
+  scene.motion.path = Case::Path{"a.csv", {0, 1}, {1e-4, 2e-4}, {3e-6, 4e-6}, false};
+  scene.motion.path->transverse = {5e-6, 6e-6};
+  const auto stretched = incompressible_case(scene);
+  EXPECT_NEAR(stretched.displacement, 1.5 * 2 * 0.7 / 1.7, 1e-12) << "3/2 over (2 - nu)/(2 (1 - nu))";
+  EXPECT_EQ(stretched.input.motion.path->normal, scene.motion.path->normal);
+  EXPECT_EQ(stretched.input.motion.path->tangential[1], 4e-6 * stretched.displacement);
+  EXPECT_EQ(stretched.input.motion.path->transverse[1], 6e-6 * stretched.displacement);
+  scene.motion.path->tangential_force = true;
+  const auto forced = incompressible_case(scene);
+  EXPECT_EQ(forced.input.motion.path->tangential, scene.motion.path->tangential);
+  EXPECT_EQ(forced.input.motion.path->transverse, scene.motion.path->transverse);
+}
+
+// Cattaneo and Mindlin the other way round, of a force that oscillates: it moves the indenter by what would make it.
+TEST(IncompressibleCase, HasTheDisplacementOfATangentialForce) {
+  for (const double nu : {0.0, 0.3}) {
+    auto scene = suite_case("parabola-elastic-steady", 1e-2);
+    scene.elastomer.poisson_ratio = nu;
+    const double R = scene.indenter.radius, d = scene.motion.indentation, mu = scene.friction_coefficient,
+                 E = 2 * scene.elastomer.relaxed_modulus / (1 - nu), u = scene.motion.tangential_amplitude;
+    const auto hertz = [&](double depth) { return 4 * E / 3 * std::sqrt(R * std::pow(depth, 3)); };
+    scene.motion.tangential_amplitude = 0;
+    scene.motion.tangential_force = mu * (hertz(d) - hertz(d - u / (mu * (2 - nu) / (2 * (1 - nu)))));
+    const auto mdr = mdr_case(scene);
+    EXPECT_NEAR(mdr_answer_with_cycle(mdr, mdr_normal_response(mdr)).tangential_amplitude.value() / u, 1, 2e-3) << nu;
+  }
+}
+
+// All of the contact sticks: the bulk loses the loop of a disc of radius a, pi 8/(2 - nu) a G'' u^2.
+TEST(IncompressibleCase, LosesInTheBulkWhatFrictionDoesNot) {
+  auto scene = suite_case("parabola-elastic-steady", 1e-2);
+  const double nu = 0.3, pi = std::acos(-1.0), G = scene.elastomer.relaxed_modulus,
+               u = scene.motion.tangential_amplitude, a = std::sqrt(scene.indenter.radius * scene.motion.indentation),
+               f = scene.motion.tangential_frequency;
+  scene.elastomer.poisson_ratio = nu;
+  scene.elastomer.rheology = Case::Rheology::standard_solid;
+  scene.elastomer.branch_moduli = {G};
+  scene.elastomer.branch_times = {1 / (2 * pi * f)};  // G'' = G/2
+  scene.friction_coefficient = 50;
+  const auto mdr = mdr_case(scene);
+  const auto cycle = mdr_answer_with_cycle(mdr, mdr_normal_response(mdr)).cycle.value();
+  const double loop = pi * 8 / (2 - nu) * a * G / 2 * u * u;
+  EXPECT_NEAR(cycle.bulk_work / loop, 1, 2e-2);
+  EXPECT_NEAR(cycle.tangential_work / loop, 1, 2e-2);
+}
+
 TEST(IncompressibleCase, LeavesLayersAsTheyAre) {
   auto scene = suite_case("parabola-elastic-steady", 1e-2);
   scene.elastomer.poisson_ratio = 0.3;

@@ -23,6 +23,16 @@ TEST(MdrWear, HasKineticsOfLawsThatAreLinearInThePressure) {
   EXPECT_FALSE(kinetics_of("  set Law = power\n  set Exponent = 2\n  set Coefficient = 1e-12\n"));
 }
 
+TEST(MdrWear, SaysEachNumberOfTheCourseUnderItsKey) {
+  mdr::WearKinetics kinetics;
+  kinetics.curve = {{0, 0, 0, 3, 4, 5}, {10, 1, 2, 6, 7, 8}};
+  kinetics.radius = Eigen::Array2d(0.5, 1.5);
+  kinetics.worn_depth = Eigen::Array2d(0, 0.25);
+  EXPECT_EQ(to_json(kinetics), nlohmann::ordered_json::parse(R"({
+    "cycles": [0.0, 10.0], "volume": [0.0, 1.0], "deepest": [0.0, 2.0], "friction_work": [3.0, 6.0],
+    "contact_radius": [4.0, 7.0], "stick_radius": [5.0, 8.0], "r": [0.5, 1.5], "worn_depth": [0.0, 0.25]})"));
+}
+
 TEST(MdrWear, HasKineticsOfLockedMotionsOfOneFrequency) {
   EXPECT_FALSE(kinetics_of("  set Coefficient = 1e-12\n", "set Phase = free"));
   EXPECT_FALSE(kinetics_of("  set Coefficient = 1e-12\n", "set Tangential frequency = 2"));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "comparison/data/path_table.h"
 #include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/suite_case.h"
 
@@ -78,6 +79,39 @@ TEST(PlaneAnswer, FollowsForces) {
   }
   scene.motion.tangential_force = 10 * force;
   EXPECT_GT(answer_to(scene).as<GrossSlipShare>()->amplitude, 0);
+}
+
+// In a body with memory that is pressed in and out, too; its loops go by other code there.
+TEST(PlaneAnswer, OfALineLosesWhatOneDirectionLoses) {
+  auto along = circle();
+  along.motion.transverse.clear();
+  along.contact = {};
+  along.motion.normal_amplitude = 0.2 * along.motion.indentation;
+  along.motion.phase = 40;
+  along.elastomer.rheology = Case::Rheology::standard_solid;
+  along.elastomer.branch_moduli = {along.elastomer.relaxed_modulus};
+  along.elastomer.branch_times = {0.1 / along.motion.normal_frequency};
+  auto scene = along;
+  scene.contact.vector_friction = true;
+  scene.motion.transverse = {{1e-6 * along.motion.tangential_amplitude, along.motion.tangential_frequency, 40}};
+  const auto plane = answer_to(scene).cycle.value(), line = answer_to(along).cycle.value();
+  EXPECT_NEAR(plane.tangential_work / line.tangential_work, 1, 1e-2);
+  EXPECT_NEAR(plane.bulk_work / line.bulk_work, 1, 2e-2);
+  EXPECT_NEAR(plane.tangential_force_max / line.tangential_force_max, 1, 1e-3);
+  EXPECT_NEAR(plane.tangential_force_mean, line.tangential_force_mean, 1e-3 * line.tangential_force_max);
+  EXPECT_LT(std::abs(line.tangential_force_mean), 0.5 * line.tangential_force_max);
+}
+
+// The force on a parabola of constant depth rises to twice what friction bears, from 5 s to 15 s.
+TEST(PlaneAnswer, OfAPassSlidesAtATimeOfItsFile) {
+  auto scene = circle();
+  const double d = scene.motion.indentation,
+               force = 16.0 / 3 * scene.elastomer.relaxed_modulus * std::sqrt(scene.indenter.radius * d * d * d);
+  Case::Path path{"a.csv", {5, 15}, {d, d}, {0, 2 * scene.friction_coefficient * force}, false};
+  path.tangential_force = true;
+  path.transverse = {0, 0};
+  scene.motion = motion_along(path);
+  EXPECT_NEAR(answer_to(scene).as<GrossSlipShare>()->time.value(), 10, 0.05);
 }
 
 TEST(PlaneAnswer, IsAskedForTwoDirectionsAlone) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "mdr/profiles/profile.h"
+#include "mdr/stick/limiting_profile.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/made_up_result.h"
 #include "tests/comparison/stored_result.h"
@@ -34,6 +36,20 @@ TEST(AnswerText, SaysWhatAHalfSpaceWouldHaveInThePlaceOfALayer) {
   expect_parts(answer_to(result),
                {"over a half-space MDR would be off: stick radius, shakedown by -33.3 %, largest contact "
                 "radius by -20 %\n"});
+}
+
+// A volume of 1 is 2 m³ here: a quarter of it has gone, and half of it goes in each cycle.
+TEST(AnswerText, SaysHowMuchHasWornAndWearsOn) {
+  auto result = made_up_result();
+  const auto json = result_json(result);
+  const auto limit = wear_limit(mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4));
+  ProvedWear wear{{}, {}, {}, {limit, limit}};
+  wear.fe.course.curve = {{0, 0, 2, 3, 0, 1, 0.5}, {1e6, 0.25, 0.5, 1, 0.2, 1, 0.5}};
+  wear.fe.course.end = fem::WearEnd::progressive;
+  wear.rate_error = 0.1;
+  result.wear = wear;
+  expect_parts(answer_text(result, json),
+               {"worn off: 5e+08 mm³ in 1e+06 cycles", "it goes on for ever, by 1e+09 mm³ a cycle (± 0.1 of that)"});
 }
 
 TEST(AnswerText, SetsWhatWasNotAskedForApart) {

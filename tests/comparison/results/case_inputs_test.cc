@@ -131,6 +131,31 @@ TEST(CaseInputs, HaveRingsAndStepsThatAreFixed) {
   EXPECT_EQ(values_of(Case{}).count("Rings per radius"), 0U);
 }
 
+TEST(CaseInputs, HaveForcesAndWhatWasMeasured) {
+  Case input{};
+  input.motion.normal_force = Case::NormalForce{0.5, 0.1};
+  input.motion.tangential_force = 0.05;
+  input.motion.normal_frequency = 2;
+  input.motion.tangential_frequency = 3;
+  input.measured.emplace();
+  input.measured->stick_radius = {0.8e-3, 2e-5};
+  input.measured->contact_radius = {1.1e-3, 1e-5};
+  input.measured->loop = "loops.csv";
+  const auto found = values_of(input);
+  for (const auto& [name, value] : std::map<std::string, double>{{"Normal force", 0.5},
+                                                                 {"Normal force amplitude", 0.1},
+                                                                 {"Tangential force amplitude", 0.05},
+                                                                 {"Normal frequency", 2},
+                                                                 {"Tangential frequency", 3},
+                                                                 {"Stick radius", 0.8e-3},
+                                                                 {"Stick radius uncertainty", 2e-5},
+                                                                 {"Contact radius", 1.1e-3},
+                                                                 {"Contact radius uncertainty", 1e-5}})
+    EXPECT_EQ(found.at(name), value) << name;
+  EXPECT_EQ(found.at("Loops"), "loops.csv");
+  EXPECT_EQ(found.count("Indentation"), 0U);
+}
+
 TEST(CaseInputs, NameTheAmplitudeThatFollows) {
   Case input{};
   input.motion.tangential_amplitude = std::nan("");

@@ -66,6 +66,32 @@ TEST(CaseResult, HasItsHistoryInSiUnitsStepByStep) {
             "12,0.5,0.03125,42.5,100,20\n");
 }
 
+// A path whose mean is 3 mm off the origin of its displacements: u_x counts from there, as in the file.
+TEST(CaseResult, AlongAPathHasItsDisplacementsAsInTheFile) {
+  auto result = made_up_result();
+  result.input.motion.path = Case::Path{"a.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {2e-3, 4e-3, 2e-3}, true};
+  const ScratchFolder folder;
+  write_result(result, result_json(result), made_up_reference(), folder.path());
+  const auto u = read_columns(folder.path() / "history.csv", "t [s]", "u_x [m]").second;
+  const std::vector<double> from_rest{-0.05412658774, -0.03125, 0.05412658774, 0.03125};
+  ASSERT_EQ(u.size(), from_rest.size());
+  for (std::size_t k = 0; k < u.size(); ++k) EXPECT_NEAR(u[k], 3e-3 + from_rest[k], 1e-10) << k;
+}
+
+// Steps end at whole seconds, a quarter of a second after an instant of MDR's answer, or one before its next.
+TEST(CaseResult, HasMdrsForceBetweenItsInstants) {
+  auto result = made_up_result();
+  mdr::NormalResponse reference{};
+  reference.time = {0, 0.75, 1.75, 2.75, 4};
+  reference.normal_force = {100, 200, 300, 500, 100};
+  const ScratchFolder folder;
+  write_result(result, result_json(result), reference, folder.path());
+  const auto force = read_columns(folder.path() / "history.csv", "t [s]", "F_N MDR [N]").second;
+  const std::vector<double> expected{225, 350, 500 - 400 * 0.2, 100};
+  ASSERT_EQ(force.size(), expected.size());
+  for (std::size_t k = 0; k < force.size(); ++k) EXPECT_NEAR(force[k], expected[k], 1e-6) << k;
+}
+
 TEST(CaseResult, HasItsRingsInSiUnits) {
   EXPECT_EQ(written(made_up_result(), "contact.csv"),
             "r inner [m],r outer [m],p smallest [Pa],p largest [Pa],tau smallest [Pa],tau largest [Pa],"

@@ -1,7 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "comparison/data/path_table.h"
 #include "tests/comparison/made_up_result.h"
 
 namespace fretval {
@@ -25,6 +29,52 @@ TEST(CycleJson, SaysWhereRingsStickSlipAndAreOpen) {
   result.fe.fe.friction.slip_of_periods = {Eigen::Vector2d(0.25, 2), Eigen::Vector2d(0.125, 2)};
   EXPECT_EQ(cycle_json(result).at("zones"), nlohmann::ordered_json({"sf", "so", "so", "ss"})) << "it slips no more";
   EXPECT_EQ(cycle_json(result).at("slip_decay"), nlohmann::ordered_json({0.5, 0.25}));
+}
+
+/// Hertz on the axis: 8 G sqrt(d/R)/pi.
+double pressure_on_axis(double depth) {
+  return 8 * 1e6 * std::sqrt(depth / 1e-2) / std::acos(-1.0);
+}
+
+/// Largest difference of the pressures of springs from those of Hertz.
+double off_hertz(const nlohmann::ordered_json& springs, double depth) {
+  double worst = 0;
+  for (std::size_t k = 0; k < springs.at("r").size(); ++k) {
+    const double r = springs.at("r")[k], p = springs.at("p")[k];
+    const double inside = std::max(0.0, 1 - r * r / (1e-2 * depth));
+    worst = std::max(worst, std::abs(p - pressure_on_axis(depth) * std::sqrt(inside)));
+  }
+  return worst / pressure_on_axis(depth);
+}
+
+// An elastic parabola of R = 1e-2 m and G = 1 MPa that goes down to 1.2e-4 m: F_N = 16/3 G sqrt(R) d^(3/2).
+TEST(CycleJson, HasTheSpringsOfAnOscillationAtItsDeepest) {
+  auto result = made_up_result();
+  const auto prepared = prepared_case(elastic_case());
+  result.input = prepared.input;
+  result.mdr_case = prepared.mdr;
+  const auto springs = cycle_json(result).at("mdr");
+  EXPECT_LT(off_hertz(springs, 1.2e-4), 0.02);
+  const auto largest = [&](const char* key) {
+    const auto values = springs.at(key).get<std::vector<double>>();
+    return *std::max_element(values.begin(), values.end());
+  };
+  EXPECT_NEAR(largest("F_N") / (16.0 / 3 * 1e6 * 0.1 * std::pow(1.2e-4, 1.5)), 1, 1e-3);
+  EXPECT_NEAR(largest("d"), 1.2e-4, 1e-9);
+  EXPECT_NEAR(largest("u_x"), 1.5e-5, 1e-8);
+  EXPECT_LT(largest("F_x"), 0.5 * largest("F_N"));
+}
+
+// A path that ends at 1e-4 m after 1.2e-4 m.
+TEST(CycleJson, HasTheSpringsOfAPathAtItsEnd) {
+  auto result = made_up_result();
+  const auto prepared = prepared_case(elastic_case());
+  result.input = prepared.input;
+  result.mdr_case = prepared.mdr;
+  const Case::Path path{"a.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {0, 8e-6, 0}, true};
+  result.input.motion = motion_along(path);
+  result.mdr_case.path = mdr::SampledPath{path.time, path.normal, path.tangential, path.repeats};
+  EXPECT_LT(off_hertz(cycle_json(result).at("mdr"), 1e-4), 0.02);
 }
 
 }  // namespace

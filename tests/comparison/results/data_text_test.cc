@@ -24,6 +24,23 @@ TEST(DataText, SaysWhatALongerTestWouldChange) {
   expect_parts(duration_text(input), {"case: test of 50 ms", "a test three times longer would change"});
 }
 
+// The branch of 0.1 s is a spring in a test of 50 ms, as in a shorter one; in a test of 150 ms it relaxes.
+TEST(DataText, TellsALongerTestFromAShorterOne) {
+  auto input = read_case();
+  limit_to_test(0.05, input);
+  const auto changes_in = [](const std::string& text, const std::string& head, char end) {
+    const auto begin = text.find(head) + head.size();
+    return text.substr(begin, text.find(end, begin) - begin);
+  };
+  const auto text = data_text(input), line = duration_text(input);
+  for (const auto& longer :
+       {changes_in(text, "three times longer: ", '\n'), changes_in(line, "three times longer would change ", ';')})
+    EXPECT_NE(longer.find_first_of("123456789"), std::string::npos) << longer;
+  for (const auto& shorter :
+       {changes_in(text, "three times shorter: ", '\n'), changes_in(line, "one three times shorter ", '\n')})
+    EXPECT_EQ(shorter.find_first_of("123456789"), std::string::npos) << shorter;
+}
+
 TEST(DataText, SaysWhatTheyLeaveOpen) {
   auto input = read_case(elastic_case());
   input.elastomer.modulus_scatter = 0.2;

@@ -30,6 +30,16 @@ TEST(ModuliFiles, HaveTheBodyAroundItsFrequenciesAndWhatWasMeasured) {
   EXPECT_EQ(measured, (std::vector<double>{1e4, 5e5, 1e4}));
 }
 
+// The valid case oscillates at 1 Hz; the moduli of spring and dashpot are equal at G0/(2 pi eta) = 15.9 Hz.
+TEST(ModuliFiles, ReachADecadeBeyondTheFrequencyOfADashpot) {
+  const ScratchFolder folder;
+  write_moduli(read_case(), mdr::prony(1e6, {}, {}, 1e4), folder.path());
+  const auto [f, loss] = read_columns(folder.path() / "moduli.csv", "f [Hz]", "G'' [Pa]");
+  EXPECT_NEAR(f.front(), 0.1, 1e-9);
+  EXPECT_NEAR(f.back(), 10 * 15.915494309, 1e-6);
+  EXPECT_NEAR(loss.back() / 1e7, 1, 1e-8) << "a decade beyond, ten times G0";
+}
+
 TEST(ModuliFiles, OfAnElasticBodyAreNone) {
   const ScratchFolder folder;
   write_moduli(read_case(elastic_case()), mdr::elastic(1e6), folder.path());

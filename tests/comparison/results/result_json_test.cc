@@ -2,11 +2,13 @@
 #include <sys/resource.h>
 
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
 #include "tests/comparison/fake_numerics.h"
+#include "tests/comparison/given_mesh.h"
 #include "tests/comparison/made_up_result.h"
 
 namespace fretval {
@@ -150,6 +152,46 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
       "dofs": 103, "contact_nodes": 104, "time_steps": 12, "cycles": 3, "computations": 6, "bodies": 4, "bodies_from_store": 2,
       "all": {"seconds": 7.5, "time_steps": 720, "cycles": 60, "computations": 6, "bodies": 4,
         "bodies_from_store": 2}}})"));
+}
+
+// Of eight rings in mm, 1.5 mm in all, on a pad of 3 mm.
+TEST(ResultJson, HasTheMeshInMetres) {
+  const ScratchFolder folder;
+  const auto mesh = pad_mesh(8);
+  auto result = made_up_result();
+  result.input.body = case_with_mesh(folder, mesh).body;
+  const auto json = written(result)["scene"]["mesh"];
+  EXPECT_EQ(json["cells"], mesh.cells.size());
+  EXPECT_EQ(json["contact_edges"], 8);
+  EXPECT_NEAR(json["contact_line"].get<double>(), 1.5e-3, 1e-15);
+  EXPECT_NEAR(json["thickness"].get<double>(), 3e-3, 1e-15);
+}
+
+TEST(ResultJson, HasTheForcesAndEnergiesOfACycle) {
+  auto result = made_up_result();
+  result.fe.fe.of_kind = DiscAnswer{};
+  result.fe.fe.cycle = fem::CycleResponse{1, 2, 3, 4, 5, 6, 7};
+  result.rings = GivenRings{20, 34};
+  const auto json = written(result)["fe"];
+  for (const auto& [key, value] : std::map<std::string, double>{{"tangential_force_max", 1},
+                                                                {"tangential_force_mean", 2},
+                                                                {"friction_work", 3},
+                                                                {"bulk_work", 4},
+                                                                {"cycle_work", 3 + 4},
+                                                                {"tangential_work", 5},
+                                                                {"sliding_force", 6},
+                                                                {"sliding_work", 7}})
+    EXPECT_EQ(json[key], value) << key;
+  EXPECT_EQ(json["rings"]["in_contact"], 20);
+  EXPECT_EQ(json["rings"]["needed"], 34);
+}
+
+TEST(ResultJson, SaysWhenGrossSlipBegins) {
+  auto result = made_up_result();
+  result.fe.fe.of_kind = GrossSlipStart{12, 0.875};
+  const auto json = written(result)["fe"]["gross_slip"];
+  EXPECT_EQ(json["time"], 12);
+  EXPECT_EQ(json["amplitude"], 0.875);
 }
 
 }  // namespace

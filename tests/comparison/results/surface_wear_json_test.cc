@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "comparison/results/results_folder.h"
 #include "mdr/profiles/profile.h"
@@ -47,6 +49,36 @@ TEST(SurfaceWearJson, IsInSiUnits) {
   EXPECT_DOUBLE_EQ(json["sticks"]["radius_bar"], 1.25e-4);
   EXPECT_NEAR(json["sticks"]["area_bar"], 3.926991e-7, 1e-12) << "2 pi 0.5 mm 0.125 mm";
   EXPECT_DOUBLE_EQ(json["volume_bar"], 0.125e-10);
+}
+
+TEST(SurfaceWearJson, HasEachBarAndTheLimitOfItsOwn) {
+  auto wear = made_up_wear();
+  wear.is_proved = true;
+  wear.radius.add(ErrorSource::rings, 0.125);
+  wear.along.add(ErrorSource::rings, 0.25);
+  wear.across.add(ErrorSource::rings, 0.5);
+  const auto json = to_json(wear, units);
+  EXPECT_DOUBLE_EQ(json["sticks"]["radius_bar"], 1.25e-4);
+  EXPECT_DOUBLE_EQ(json["sticks"]["along_bar"], 2.5e-4);
+  EXPECT_DOUBLE_EQ(json["sticks"]["across_bar"], 5e-4);
+  EXPECT_DOUBLE_EQ(json["limit_of_mdr"]["volume"],
+                   mdr::worn_volume(mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4)));
+}
+
+// Of the points of either ring by their first, above the x axis on the right.
+TEST(SurfaceWearJson, WritesHeightsAndPressuresInSiUnits) {
+  const ScratchFolder folder;
+  write_surface_wear(made_up_wear(), units, folder.path());
+  for (const auto& [name, inner, outer] : {std::tuple{"r inner [m]", 0.0, 5e-4},
+                                           {"r outer [m]", 5e-4, 1e-3},
+                                           {"angle [rad]", std::acos(-1.0) / 4, std::acos(-1.0) / 4},
+                                           {"f unworn [m]", 1e-5, 5e-5},
+                                           {"f worn [m]", 1e-5, 7e-5},
+                                           {"p largest at end [Pa]", 2e5, 0.0}}) {
+    const auto values = read_columns(folder.path() / "worn_surface.csv", name, name).second;
+    EXPECT_NEAR(values.at(0), inner, 1e-9 * std::abs(inner)) << name;
+    EXPECT_NEAR(values.at(4), outer, 1e-9 * std::abs(outer)) << name;
+  }
 }
 
 TEST(SurfaceWearJson, WritesThePointsOfTheWholeCircle) {

@@ -21,6 +21,11 @@ TEST(UnitText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(0.11109, 1e-17, "N"), "111.090 mN");
 }
 
+TEST(UnitText, OfAVolumeIsInCubicMillimetres) {
+  EXPECT_EQ(volume_text(1e-9), "1 mm³");
+  EXPECT_EQ(volume_text(1.25e-11), "0.0125 mm³");
+}
+
 TEST(UnitText, OfATestIsInTheUnitThatPeopleCountIn) {
   EXPECT_EQ(time_text(90), "90 s");
   EXPECT_EQ(time_text(3000), "50 min");

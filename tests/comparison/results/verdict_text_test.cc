@@ -123,6 +123,19 @@ TEST(VerdictSentence, OfGrossSlipHoldsBothToTheBalanceOfForces) {
                 "the steady motion slides from 81.1 % of the amplitudes on: this one is 23.3 % beyond"});
 }
 
+// 7.9e-4 m over 6.32e-4 m and 1.1 mm over 1.375 mm of MDR; bars of 1 % of 1.1 mm are of these as much.
+TEST(VerdictSentence, OfAnotherModelSaysHowFarMdrIsOffFromItsOwnValue) {
+  auto other = result(name_of(Outcome::other_model));
+  other["other_model"] = {"the body is a cylinder", "friction is a vector"};
+  other["mdr"]["stick_radius_shakedown"] = 6.32e-4;
+  other["mdr"]["contact_radius_max"] = 1.375e-3;
+  for (const char* key : {"stick_radius_shakedown", "contact_radius_max"})
+    other["comparison"][key] = compared(0.1, 1e-3, 0.01, nullptr);
+  expect_parts(verdict_sentence(other),
+               {"computes another model, as the body is a cylinder, friction is a vector: compared with it, ",
+                "25 % ± 2 % larger", "20 % ± 0.8 % smaller"});
+}
+
 // Of a rate that differs by a fifth the verdict says nothing of the radii.
 TEST(VerdictSentence, LeavesTheDecayOfSlipOutOfTheSize) {
   auto some = result("agree");

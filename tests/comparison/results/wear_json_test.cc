@@ -72,6 +72,16 @@ TEST(WearJson, IsInSiUnits) {
   EXPECT_EQ(json["cost"]["cycles_stepped"], 7);
 }
 
+TEST(WearJson, HasTheCostWithItsErrorInMetres) {
+  auto wear = made_up_wear();
+  wear.fe.seconds = 1.25;
+  wear.fe.course.largest_jump_error = 0.25;
+  wear.cost.bodies = {4, 2};
+  EXPECT_EQ(to_json(wear, units)["cost"], nlohmann::ordered_json::parse(R"({
+    "seconds": 1.25, "rings": 2, "jumps": 1, "largest_jump_error": 2.5e-5, "cycles_stepped": 7, "computations": 9,
+    "bodies": 4, "bodies_from_store": 2})"));
+}
+
 TEST(WearJson, ZonesAreATextAStep) {
   const auto zones = to_json(made_up_wear(), units)["zones"];
   EXPECT_EQ(zones["start"], (std::vector<std::string>{"sf", "sb"}));

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "comparison/results/answer_text.h"
 #include "tests/comparison/damaged_case.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/made_up_result.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/shown.h"
 
@@ -34,6 +37,44 @@ TEST(ZonesJson, HasEndsWithBarsInMetres) {
   EXPECT_EQ(json.at("why_no_radius").at("shakedown"), "an annulus sticks, and no disc");
   EXPECT_EQ(annuli_text(json.at("contact")), "0 to 500 ± 2 µm; 700 ± 4 µm to 1.00000 mm");
   EXPECT_EQ(annuli_text(json.at("first_slip")), "none");
+}
+
+// Bars are over a length of 2 m; an area is as uncertain as its edge all around, 2 pi times radius and bar.
+TEST(ZonesJson, OfAZoneOnRingsAndAnglesHasTheBarOfEachExtent) {
+  auto result = made_up_result();
+  SurfaceAnswer surface;
+  surface.contact = {3.5, 1.05, 1.1, 1.0};
+  surface.never_slipped = {1.25, 0.625, 0.65, 0.6};
+  surface.sticks_in_a_cycle = {2, 0.8, 0.85, 0.75};
+  surface.torque_max = 0.3;
+  surface.history.second_difference = 1e-7;
+  result.fe.fe.of_kind = surface;
+  using Q = Quantity;
+  double next = 0.01;
+  for (const auto quantity :
+       {Q::contact_radius_max, Q::contact_along, Q::contact_across, Q::stick_radius_first_slip, Q::first_slip_along,
+        Q::first_slip_across, Q::stick_radius_shakedown, Q::shakedown_along, Q::shakedown_across}) {
+    result.fe.budget[quantity] = bar(next);
+    next += 0.01;
+  }
+  const auto json = zones_json(result);
+  next = 0.02;  // m
+  for (const auto& [name, zone] : {std::pair{"contact", surface.contact},
+                                   {"never_slipped", surface.never_slipped},
+                                   {"sticks_in_a_cycle", surface.sticks_in_a_cycle}}) {
+    const auto number = [&, key = name](const char* what) { return json.at(key).at(what).get<double>(); };
+    EXPECT_EQ(number("area"), zone.area) << name;
+    EXPECT_EQ(number("radius"), zone.radius) << name;
+    EXPECT_EQ(number("along"), zone.along) << name;
+    EXPECT_EQ(number("across"), zone.across) << name;
+    EXPECT_NEAR(number("area_bar"), 2 * std::acos(-1.0) * zone.radius * next, 1e-12) << name;
+    EXPECT_NEAR(number("radius_bar"), next, 1e-12) << name;
+    EXPECT_NEAR(number("along_bar"), next + 0.02, 1e-12) << name;
+    EXPECT_NEAR(number("across_bar"), next + 0.04, 1e-12) << name;
+    next += 0.06;
+  }
+  EXPECT_EQ(json.at("torque_max"), 0.3);
+  EXPECT_EQ(json.at("second_algorithm"), 1e-7);
 }
 
 // Exit code 0: nothing disagrees. The verdict has a name in everything that somebody may read.

@@ -56,6 +56,31 @@ TEST(Scene, FractionalBodyHasItsModulusInTime) {
   }
 }
 
+// A slow harmonic along the surface counts as much as one of the indentation.
+TEST(Scene, FractionalBodyHasItsModulusAtTheSlowestHarmonic) {
+  Case input = read_case(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 0.5"));
+  const auto rheology = rheology_of(input.elastomer);
+  const double slow = 1e-3, w = mdr::angular_frequency(slow);
+  for (auto* harmonics : {&input.motion.normal_harmonics, &input.motion.tangential_harmonics}) {
+    *harmonics = {{1e-6, slow, 0}};
+    EXPECT_NEAR(std::abs(mdr::complex_modulus(body_in_time(input), w) / mdr::complex_modulus(rheology, w) - 1.0), 0,
+                1e-4);
+    harmonics->clear();
+  }
+}
+
+TEST(Scene, HarmonicsAcrossHaveTheirPhaseInRadians) {
+  Case input = read_case();
+  input.motion.transverse = {{4e-6, 3, -45}};
+  const auto along = harmonic_motion_of(input.motion).tangential;
+  ASSERT_EQ(along.size(), 2U);
+  EXPECT_FALSE(along[0].across);
+  EXPECT_TRUE(along[1].across);
+  EXPECT_EQ(along[1].amplitude, 4e-6);
+  EXPECT_EQ(along[1].frequency, 3);
+  EXPECT_NEAR(along[1].phase, -std::acos(-1.0) / 4, 1e-15);
+}
+
 // Degrees of the case file are radians of the reference, also of further harmonics.
 TEST(Scene, HarmonicsHaveTheirNumbersInRadians) {
   Case input = read_case();

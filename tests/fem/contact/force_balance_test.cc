@@ -50,6 +50,14 @@ TEST(ForceBalance, IsWhereTheForceJumps) {
   EXPECT_NEAR(displacement_for_force(jumping, 0.35, {0, 1, 1}), 0.3, 1e-12);
 }
 
+// A stiff body is known as closely, and a soft one is not asked for more than there is.
+TEST(ForceBalance, IsWhereTheForceOfAnyStiffnessJumps) {
+  for (const double stiffness : {1e-4, 1.0, 1e4}) {
+    const auto jumping = [=](double u) { return stiffness * (u < 0.3 ? u : u + 0.1); };
+    EXPECT_NEAR(displacement_for_force(jumping, 0.35 * stiffness, {0, stiffness, stiffness}), 0.3, 1e-12) << stiffness;
+  }
+}
+
 TEST(ForceBalance, SaysWhenThereIsNone) {
   expect_solver_error(
       [] {

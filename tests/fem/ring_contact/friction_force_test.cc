@@ -151,5 +151,30 @@ TEST_F(FrictionForceTest, NothingSlipsBeyondTheEdge) {
   }
 }
 
+// Depths that fall in proportion to the radius at which each ring was touched again, which is not its own: their force
+// is that of the same line at the radii of the rings.
+TEST_F(FrictionForceTest, TakesDepthsForThoseOfTheRadiiAtWhichTheirRingsTouched) {
+  const auto& series = tangential_half_space(32).series;
+  const auto n = series.radii().size();
+  constexpr Eigen::Index n_pressed = 20;
+  Eigen::VectorXd limit = Eigen::VectorXd::Zero(n);
+  limit.head(n_pressed).setOnes();
+  const auto read = [&](const Eigen::VectorXd& touched) {
+    const std::vector<BoxState> sticking(static_cast<std::size_t>(n), BoxState::interior);
+    const Eigen::VectorXd nothing = Eigen::VectorXd::Zero(n);
+    SlipZones zones(n);
+    zones.update(nothing, sticking, nothing);
+    zones.update(limit, sticking, limit.cwiseProduct(Eigen::VectorXd::Ones(n) - touched));
+    TouchingRings touching{touched, false};
+    touching.move_to(series.edges()[n_pressed]);
+    return friction_force(series, zones, touching, 10 * limit, 100).value;
+  };
+  const auto& own = series.radii();
+  Eigen::VectorXd others = own;
+  for (Eigen::Index i = 0; i < n; ++i) others[i] += (0.2 + 0.1 * std::sin(static_cast<double>(i))) / 32;
+  EXPECT_GT(read(own), 0);
+  EXPECT_NEAR(read(others) / read(own), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace fretval::fem::friction_force_test

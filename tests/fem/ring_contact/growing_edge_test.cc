@@ -113,6 +113,33 @@ TEST(GrowingEdge, JumpsByWhatADashpotBears) {
   EXPECT_LT(beside.with_edge, 1e-5);
 }
 
+// A branch that hardly relaxes while the edge crosses the last rings is a spring, whose depths the cubics follow.
+TEST(GrowingEdge, AddsNothingForBranchesThatHardlyRelax) {
+  for (const double share : {1e3, 1e4, 1e6})
+    for (const double slowing : {0.0, 5.0}) {
+      const auto one = read({{1, {2}, {share * time_of_a_ring}}, 0.81, slowing}, 32);
+      EXPECT_NEAR(one.with_edge, one.plain, 2e-5 / share) << share << ' ' << slowing;
+      EXPECT_LT(one.uncertainty, 2e-5 / share) << share << ' ' << slowing;
+    }
+}
+
+// At a constant speed v the law is `C (way + g v tau (1 - exp(-t/tau)))`. Where C rises by a part of itself per way
+// inwards, the one of the last ring is off by what it has risen there, and so is the force.
+TEST(GrowingEdge, IsUncertainByWhatTheLawChangesInTheLastRing) {
+  constexpr double v = 0.5, rise = 2, g = 2, tau = 0.3 / 32;
+  const auto& series = normal_half_space(32).series;
+  const double edge = series.radii()[11] + 0.4 / 32;
+  Eigen::VectorXd depths = Eigen::VectorXd::Zero(series.radii().size()), times = depths;
+  for (Index i = 0; i < 12; ++i) {
+    const double way = edge - series.radii()[i];
+    times[i] = way / v;
+    depths[i] = (1 + rise * way) * (way - g * v * tau * std::expm1(-times[i] / tau));
+  }
+  const auto missed = force_missed_at_edge(series, depths, 12, edge, {{1, {g}, {tau}}, times});
+  EXPECT_NE(missed.force, 0);
+  EXPECT_NEAR(missed.uncertainty / std::abs(missed.force), rise * 0.4 / 32, 1e-9);
+}
+
 // The inner two of the four rings touched at the same instant, but for roundoff after many periods.
 TEST(GrowingEdge, IsStableWhereInnerRingsTouchedAtOnce) {
   const auto& series = normal_half_space(32).series;
@@ -137,6 +164,22 @@ TEST(GrowingEdge, IsNotKnownWhereRingsWereTouchedAtOnce) {
   const Eigen::VectorXd depths = Eigen::VectorXd::Constant(series.radii().size(), 0.5),
                         times = Eigen::VectorXd::Constant(depths.size(), 1.0);
   const double last = series.radii()[9], edge = last + 0.25 / rings;
+  const auto missed = force_missed_at_edge(series, depths, 10, edge, {relaxation, times});
+  EXPECT_EQ(missed.force, 0);
+  EXPECT_NEAR(missed.uncertainty, series.force_per_radius() * 0.5 * (edge - last) / 4, 1e-12);
+}
+
+// The last ring was touched after a pause of the edge: the cubic through the ways goes back and forth.
+TEST(GrowingEdge, IsNotKnownWhereItHasPaused) {
+  constexpr unsigned rings = 32;
+  const auto& series = normal_half_space(rings).series;
+  const RelaxationModel relaxation{1, {2}, {0.1}};
+  const Eigen::VectorXd depths = Eigen::VectorXd::Constant(series.radii().size(), 0.5);
+  Eigen::VectorXd times = Eigen::VectorXd::Constant(depths.size(), 1.1);
+  times[9] = 0.047;
+  times[8] = 0.95;
+  times[7] = 1;
+  const double last = series.radii()[9], edge = last + 0.5 / rings;
   const auto missed = force_missed_at_edge(series, depths, 10, edge, {relaxation, times});
   EXPECT_EQ(missed.force, 0);
   EXPECT_NEAR(missed.uncertainty, series.force_per_radius() * 0.5 * (edge - last) / 4, 1e-12);

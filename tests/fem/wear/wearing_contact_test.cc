@@ -26,6 +26,13 @@ TEST(WearingContact, WearsOffTheRateTimesTheCycles) {
   }
 }
 
+TEST(WearingContact, KnowsItsTangentialAmplitudeBySteps) {
+  WearingHalfSpace half_space;
+  auto contact = half_space.contact({1e-3});
+  contact.settle();
+  EXPECT_NEAR(contact.period().tangential_amplitude / half_space.motion.tangential_amplitude(), 1, 1e-2);
+}
+
 // The rate itself: k p^m |ds| of each step, by trapezoids, over the cycles of the period.
 TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
   WearingHalfSpace half_space;

@@ -44,6 +44,23 @@ TEST(LayerLimitingProfile, RunsAlongTheFreeSurface) {
   }
 }
 
+// On a thick layer that of the paper's profile; on any 2 pi int (f_inf - f) r dr, by a midpoint rule of its own.
+TEST(LayerLimitingProfile, HasTheVolumeBetweenBothShapes) {
+  const double pi = 3.14159265358979323846, c = 0.6;
+  EXPECT_NEAR(worn_volume(layer_limiting_profile(parabola(1), {1e6, 0.5}, c, 1)) /
+                  worn_volume(limiting_profile(parabola(1), c, 1)),
+              1, 1e-4);
+  const LayerLimitingProfile worn = layer_limiting_profile(parabola(1), {0.7, 0.3}, c, 0.6);
+  constexpr int n = 2000;
+  const double width = (worn.outer_radius - c) / n;
+  double sum = 0;
+  for (int i = 0; i < n; ++i) {
+    const double r = c + (i + 0.5) * width;
+    sum += 2 * pi * r * width * (shape(worn, r) - shape(parabola(1), r));
+  }
+  EXPECT_NEAR(worn_volume(worn) / sum, 1, 1e-4);
+}
+
 TEST(LayerLimitingProfile, WearsNothingWhereAllOfTheContactSticks) {
   const Layer layer{0.5, 0.45};
   const LayerContact contact = layer_contact(parabola(1), layer, 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "mdr/motion/force_control.h"
 #include "mdr/profiles/power_law.h"
@@ -68,6 +69,72 @@ TEST(PlaneSprings, OfACircleLoseWhatTheirLagSays) {
     return plane_response(parabola(R), elastic, mu, ellipse(u, u, 0, steps), 400).friction_work;
   };
   EXPECT_NEAR((2 * by_steps(1440) - by_steps(720)) / energy, 1, 2e-3);
+}
+
+/// Straight from the rest at the first position through the others, at instants of their own, in n steps each.
+PlaneMotion pass(const std::vector<PlanePosition>& positions, const std::vector<double>& times, int n) {
+  PlaneMotion motion{positions.front(), {0}, {positions.front()}, false};
+  for (std::size_t piece = 0; piece + 1 < positions.size(); ++piece)
+    for (int j = 1; j <= n; ++j) {
+      const auto &from = positions[piece], &to = positions[piece + 1];
+      const double share = static_cast<double>(j) / n;
+      motion.time.push_back(times[piece] + share * (times[piece + 1] - times[piece]));
+      motion.positions.push_back({from.depth + share * (to.depth - from.depth), from.x + share * (to.x - from.x),
+                                  from.y + share * (to.y - from.y)});
+    }
+  return motion;
+}
+
+// Hertz: F_N = 16/3 G sqrt(R) d^(3/2), so that pressing from d/2 to d takes 32/15 G sqrt(R) (d^(5/2) - (d/2)^(5/2)).
+TEST(PlaneSprings, TakeTheWorkOfPressingThemIn) {
+  const auto response = plane_response(parabola(R), elastic, mu, pass({{d / 2, 0, 0}, {d, 0, 0}}, {0, 1}, 100), 400);
+  const double work = 32.0 / 15 * G * std::sqrt(R) * (std::pow(d, 2.5) - std::pow(d / 2, 2.5));
+  EXPECT_NEAR(response.normal_work / work, 1, 3e-4);
+}
+
+// Mindlin's force of a push, F_x = mu F_N (1 - (1 - u/s)^(3/2)) with s = 3 mu d/2, rising for a second and held for
+// nine, in as many steps.
+TEST(PlaneSprings, HaveTheMeanForceOverTime) {
+  const double u = 3e-5, s = 1.5 * mu * d, most = mu * 16.0 / 3 * G * std::sqrt(R) * std::pow(d, 1.5),
+               rising = most * (1 - 0.4 * s / u * (1 - std::pow(1 - u / s, 2.5))),
+               held = most * (1 - std::pow(1 - u / s, 1.5));
+  const auto response =
+      plane_response(parabola(R), elastic, mu, pass({{d, 0, 0}, {d, u, 0}, {d, u, 0}}, {0, 1, 10}, 200), 400);
+  EXPECT_NEAR(response.force_x_mean / ((rising + 9 * held) / 10), 1, 1e-3);
+}
+
+// All sticks under a large coefficient of friction: F_x = 16/3 a (G u + eta du/dt).
+TEST(PlaneSprings, LoseInADashpotWhatItsRateSays) {
+  const double u = 1e-6, eta = 0.3 * G, a = std::sqrt(R * d), duration = 3;  // s
+  auto motion = ellipse(u, 0, 0, 720);
+  for (double& t : motion.time) t *= duration / (2 * pi);
+  const double omega = 2 * pi / duration, work = pi * 16.0 / 3 * a * eta * omega * u * u;
+  const auto response = plane_response(parabola(R), prony(G, {}, {}, eta), 100, motion, 400);
+  EXPECT_NEAR(response.tangential_work / work, 1, 2e-3);
+  EXPECT_NEAR(response.force_x_max / (16.0 / 3 * a * u * std::hypot(G, eta * omega)), 1, 2e-3);
+}
+
+// A depth that rises and falls twice in a cycle, fastest where the indenter is: an elastic body keeps nothing.
+TEST(PlaneSprings, LoseByFrictionWhatMovesAnElasticBody) {
+  auto motion = ellipse(6e-5, 2e-5, 0.4, 180);
+  for (std::size_t k = 0; k < motion.positions.size(); ++k)
+    motion.positions[k].depth = d * (1 + 0.5 * std::sin(2 * motion.time[k] + 0.5));
+  const auto response = plane_response(parabola(R), elastic, mu, motion, 200);
+  EXPECT_NEAR(response.friction_work / response.tangential_work, 1, 1e-4);
+}
+
+TEST(PlaneSprings, DependOnTheWayFromRestAlone) {
+  const auto there = ellipse(3e-5, 2e-5, 0.3, 360);
+  auto elsewhere = there;
+  elsewhere.rest.x += 1e-4;
+  elsewhere.rest.y -= 2e-4;
+  for (auto& position : elsewhere.positions) position.x += 1e-4, position.y -= 2e-4;
+  const auto one = plane_response(parabola(R), elastic, mu, there, 200),
+             other = plane_response(parabola(R), elastic, mu, elsewhere, 200);
+  for (const auto value : {&PlaneResponse::force_x_max, &PlaneResponse::force_y_max, &PlaneResponse::friction_work,
+                           &PlaneResponse::tangential_work, &PlaneResponse::way, &PlaneResponse::x_amplitude})
+    EXPECT_NEAR(other.*value / one.*value, 1, 1e-9);
+  EXPECT_NEAR(one.x_amplitude, std::hypot(3e-5 * std::cos(0.3), 2e-5 * std::sin(0.3)), 1e-8);
 }
 
 TEST(PlaneSprings, LoseInTheBodyWhatFrictionDoesNot) {

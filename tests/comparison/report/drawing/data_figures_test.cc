@@ -25,6 +25,26 @@ TEST(DataFigures, OfATraceAreItsRowsTheProfileAndWhatIsLeft) {
   EXPECT_EQ(figures[2].plot.series[0].y.size(), 2U);  // none where there is no profile
 }
 
+// Apex 0.14 mm off in a trace of millimetres, noise of 20 nm in residuals of nanometres.
+TEST(DataFigures, HaveTheirMarksAndNumbersInTheUnitsOfTheirAxes) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  result.json["scene"]["data"]["trace"] = {{"apex", 1.4e-4}, {"apex_uncertainty", 2e-6},
+                                           {"tilt", 0.2},    {"tilt_uncertainty", 0.01},
+                                           {"noise", 2e-8},  {"heights", "upwards"}};
+  folder.write("trace.csv", "x [m],z [m],residual [m]\n-1e-3,0,nan\n0,1e-5,2e-8\n1e-3,0,-2e-8\n");
+  folder.write("aligned_profile.csv", "r [m],f [m]\n0,0\n1e-3,1e-5\n");
+  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1e-3,1e-5\n");
+  const auto figures = trace_figures(result);
+  ASSERT_EQ(figures.size(), 3U);
+  EXPECT_NEAR(figures[0].plot.marks.at(0).second, 0.14, 1e-12);
+  EXPECT_NEAR(figures[0].plot.series[0].x.back(), 1, 1e-12);
+  EXPECT_NEAR(figures[0].plot.series[0].y[1], 10, 1e-12) << "in µm";
+  EXPECT_NE(figures[0].caption.find("at 0.14 ± 0.002 mm"), std::string::npos) << figures[0].caption;
+  EXPECT_NEAR(figures[2].plot.series[0].y[0], 20, 1e-12);
+  EXPECT_NE(figures[2].caption.find("Noise: 20 nm"), std::string::npos) << figures[2].caption;
+}
+
 TEST(DataFigures, OfLoopsAreThoseThatWereMeasured) {
   const ScratchFolder folder;
   StoredResult result{stored_result("single"), folder.path()};

@@ -22,6 +22,14 @@ TEST(CostSection, AddsUpWhatAllProofsTook) {
                 "counted in each case that uses it: 4 made, 2 from the store"});
 }
 
+// Cases are computed one after the other: the memory is that of the largest.
+TEST(CostSection, HasTheMemoryOfTheLargestCaseInMegabytes) {
+  auto one = with_cost(1, 1), other = one;
+  one.json["cost"]["peak_memory_bytes"] = 3e8;
+  other.json["cost"]["peak_memory_bytes"] = 2e8;
+  EXPECT_EQ(cost_section({one, other}).at("megabytes"), "300");
+}
+
 // A result of an earlier version has the chosen resolution alone: no sum is better than a wrong one.
 TEST(CostSection, DoesWithoutASumWhereAResultHasNone) {
   StoredResult old{stored_result(), {}};

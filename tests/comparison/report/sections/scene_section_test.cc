@@ -44,6 +44,16 @@ TEST(Scene, HasTheGroupsOfItsBody) {
   expect_parts(rendered(scene_of(result)), {"<dd>1.75</dd>", "<dd>0.25</dd>"});
 }
 
+TEST(Scene, HoldsTheContactAgainstIndenterAndCylinder) {
+  auto result = with_inputs({input("Indenter", "Radius", 1e-2, "m"), input("Body", "Radius", 8e-3, "m"),
+                             input("Body", "Thickness", 2e-3, "m")});
+  result.json["scene"]["contact_radius_unworn"] = 1e-3;
+  const auto scene = scene_of(result);
+  EXPECT_EQ(scene.at("a_over_r"), "0.1");
+  EXPECT_EQ(scene.at("a_over_h"), "0.5");
+  EXPECT_EQ(scene.at("a_over_b"), "0.125");
+}
+
 // Of times that were fitted or shifted, too.
 TEST(Scene, TakesTheBranchTimesByWhateverName) {
   auto result = with_inputs({input("Elastomer", "Branch times, fitted", {0.5}, "s")});

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"
@@ -40,6 +42,20 @@ TEST(WearSection, SaysWhereItEnds) {
                {"1 of 2 indenters have worn to it", "2.5e-04 from the limiting profile", "at least 0.12 away",
                 "standard solid, p^0.5</td>", "0.015 mm³, 0.50000</td>", "+1.0e-05 ± 2e-04",
                 "nothing wears any more</td>", "all that is pressed sticks</td>"});
+}
+
+// Half of the limit's volume of 3e-11 m³ by finite elements, 0.4 of it by MDR.
+TEST(WearSection, HasBothVolumesOverThatOfTheLimit) {
+  auto result = wearing(false);
+  result.json["mdr"]["wear"] = {{"cycles", {0, 1e6}}, {"volume", {0, 1.2e-11}}};
+  const auto figures = wear_section({result}).at("courses").at(0).at("figures").at("figures");
+  std::map<std::string, double> last;
+  for (const auto& figure : figures)
+    if (figure.at("plot").value("title", "") == "Worn volume")
+      for (const auto& series : figure.at("plot").at("series"))
+        last[series.at("label").get<std::string>()] = series.at("y").back().get<double>();
+  EXPECT_NEAR(last["finite elements"], 0.5, 1e-12);
+  EXPECT_NEAR(last["MDR"], 0.4, 1e-12);
 }
 
 TEST(WearSection, SaysWhyItEnds) {

@@ -88,6 +88,52 @@ TEST(CycleResponse, FindsTheExtremeBetweenTheSteps) {
   EXPECT_NEAR(response.tangential_force_mean, 0.05, 1e-14);
 }
 
+TEST(CycleResponse, MeanForceIsUncertainByTheMeanAndTheLargestByItsOwnStep) {
+  auto s = sampled(36);
+  s.friction.force_uncertainty = Eigen::VectorXd::LinSpaced(36, 0.001, 0.005);
+  Eigen::Index largest = 0;
+  s.friction.force.maxCoeff(&largest);  // 0.45, against -0.35
+  const auto uncertainty = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_NEAR(uncertainty.tangential_force_mean, 0.003, 1e-15);
+  EXPECT_EQ(uncertainty.tangential_force_max, s.friction.force_uncertainty[largest]);
+}
+
+// Forces in proportion to the displacements along a path with a corner, u = 0.1 to 0.4 and d = 0.8 to 1, sampled in the
+// middle or at the ends of the steps: nothing is lost, and the mean force is that of the mean displacement. So, too,
+// where the path is one of forces.
+TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
+  auto motion = one_frequency(0.8, 0.2, 0.1, 0);
+  motion.path = SampledPath{{0, 2, 2 * pi}, {0.8, 1, 0.8}, {0.1, 0.4, 0.1}, 0.9, 0.25, true};
+  const auto& path = *motion.path;
+  for (const double fraction : {0.5, 1.0})
+    for (const bool forces : {false, true}) {
+      motion.normal_force = motion.tangential_force = forces;
+      NormalHistory normal;
+      FrictionHistory friction;
+      normal.pieces = steps_of(path, 60);
+      const auto n = static_cast<Eigen::Index>(normal.pieces.size());
+      for (auto* series :
+           {&normal.force, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
+            &normal.force_beyond_uncertainty, &friction.force, &friction.indenter, &friction.force_uncertainty})
+        series->setZero(n);
+      for (Eigen::Index k = 0; k < n; ++k) {
+        auto& step = normal.pieces[static_cast<std::size_t>(k)];
+        step.fraction = fraction;
+        const double t = step.begin + fraction * step.duration(), inside = (step.begin + step.end) / 2,
+                     across = along(path, path.tangential, t, inside).value,
+                     down = along(path, path.normal, t, inside).value;
+        friction.force[k] = (forces ? 1 : 3) * across;
+        friction.indenter[k] = across;
+        normal.force[k] = (forces ? 1 : 2) * down;
+        normal.indentation[k] = down;
+      }
+      const auto response = cycle_response({1, {}, {}, 0}, 0.5, motion, 2, normal, friction);
+      EXPECT_NEAR(response.tangential_work, 0, 1e-14) << fraction << forces;
+      EXPECT_NEAR(normal_work(motion, normal), 0, 1e-14) << fraction << forces;
+      EXPECT_NEAR(response.tangential_force_mean, (forces ? 1 : 3) * 0.25, 1e-14) << fraction << forces;
+    }
+}
+
 TEST(CycleResponse, WithoutMemoryFrictionTakesTheTangentialLoop) {
   const auto s = sampled(24);
   const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
