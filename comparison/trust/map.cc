@@ -75,7 +75,7 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
 Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
   auto resolution = prepared.fem.resolution;
   resolution.elements_per_radius = coupled ? 32 : 64;
-  resolution.steps_per_cycle = 48;
+  resolution.steps_per_cycle = coupled ? 48 : 96;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
   return resolution;

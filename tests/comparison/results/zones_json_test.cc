@@ -42,7 +42,7 @@ TEST(ZonesJson, HasEndsWithBarsInMetres) {
 // Bars are over a length of 2 m; an area is as uncertain as its edge all around, 2 pi times radius and bar.
 TEST(ZonesJson, OfAZoneOnRingsAndAnglesHasTheBarOfEachExtent) {
   auto result = made_up_result();
-  SurfaceAnswer surface;
+  SurfaceAnswer surface{};
   surface.contact = {3.5, 1.05, 1.1, 1.0};
   surface.never_slipped = {1.25, 0.625, 0.65, 0.6};
   surface.sticks_in_a_cycle = {2, 0.8, 0.85, 0.75};
