@@ -7,16 +7,21 @@
 namespace fretval {
 namespace {
 
-TEST(DataFigures, OfATraceAreItsRowsTheProfileAndWhatIsLeft) {
-  const ScratchFolder folder;
-  StoredResult result{stored_result("single"), folder.path()};
-  EXPECT_TRUE(trace_figures(result).empty());
+/// A trace with its apex 0.14 mm off, its files in the folder of the result.
+void add_trace(const ScratchFolder& folder, StoredResult& result) {
   result.json["scene"]["data"]["trace"] = {{"apex", 1.4e-4}, {"apex_uncertainty", 2e-6},
                                            {"tilt", 0.2},    {"tilt_uncertainty", 0.01},
                                            {"noise", 2e-8},  {"heights", "upwards"}};
   folder.write("trace.csv", "x [m],z [m],residual [m]\n-1e-3,0,nan\n0,1e-5,2e-8\n1e-3,0,-2e-8\n");
   folder.write("aligned_profile.csv", "r [m],f [m]\n0,0\n1e-3,1e-5\n");
   folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1e-3,1e-5\n");
+}
+
+TEST(DataFigures, OfATraceAreItsRowsTheProfileAndWhatIsLeft) {
+  const ScratchFolder folder;
+  StoredResult result{stored_result("single"), folder.path()};
+  EXPECT_TRUE(trace_figures(result).empty());
+  add_trace(folder, result);
   const auto figures = trace_figures(result);
   ASSERT_EQ(figures.size(), 3U);
   EXPECT_EQ(figures[0].plot.series[0].x.size(), 3U);
@@ -29,12 +34,7 @@ TEST(DataFigures, OfATraceAreItsRowsTheProfileAndWhatIsLeft) {
 TEST(DataFigures, HaveTheirMarksAndNumbersInTheUnitsOfTheirAxes) {
   const ScratchFolder folder;
   StoredResult result{stored_result("single"), folder.path()};
-  result.json["scene"]["data"]["trace"] = {{"apex", 1.4e-4}, {"apex_uncertainty", 2e-6},
-                                           {"tilt", 0.2},    {"tilt_uncertainty", 0.01},
-                                           {"noise", 2e-8},  {"heights", "upwards"}};
-  folder.write("trace.csv", "x [m],z [m],residual [m]\n-1e-3,0,nan\n0,1e-5,2e-8\n1e-3,0,-2e-8\n");
-  folder.write("aligned_profile.csv", "r [m],f [m]\n0,0\n1e-3,1e-5\n");
-  folder.write("profile.csv", "r [m],f unworn [m]\n0,0\n1e-3,1e-5\n");
+  add_trace(folder, result);
   const auto figures = trace_figures(result);
   ASSERT_EQ(figures.size(), 3U);
   EXPECT_NEAR(figures[0].plot.marks.at(0).second, 0.14, 1e-12);
