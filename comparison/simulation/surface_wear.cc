@@ -8,7 +8,6 @@
 #include "comparison/support/stopwatch.h"
 #include "fem/full_contact/contact_region.h"
 #include "fem/full_contact/fields.h"
-#include "fem/ring_contact/static_contact.h"
 #include "fem/wear/rubbing_surface.h"
 
 namespace fretval {
@@ -49,14 +48,12 @@ SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinet
   const auto& grid = simulation.grid;
   const auto surface = find_or_make_surface(fem.body, grid.highest_order(), bodies);
   simulation.radii = surface.radii;
-  const auto rings = fem::ring_compliance(surface, fem::axisymmetric);
-  simulation.unworn = fem::ring_means(rings, fem.profile);
+  const auto of_rings = profile_before_wear(fem, fem::ring_compliance(surface, fem::axisymmetric));
+  simulation.unworn = of_rings.unworn;
   const auto operators = fem::coupled_operators(surface, grid, fem.full.coupled);
   const auto of_indenter = fem::indenter_motion(fem.motion);
-  const auto at_all_angles = [&](const VectorXd& of_rings) { return of_rings.replicate(grid.n_kept(), 1).eval(); };
-  const VectorXd worn_before = fem.worn_before ? fem::ring_means(rings, fem.worn_before->depth, fem.worn_before->kinks)
-                                               : VectorXd::Zero(simulation.unworn.size());
-  const fem::WornProfile profile{at_all_angles(simulation.unworn), at_all_angles(worn_before)};
+  const fem::WornProfile profile{of_rings.unworn.replicate(grid.n_kept(), 1),
+                                 of_rings.worn.replicate(grid.n_kept(), 1)};
   auto contact = std::make_unique<fem::RubbingSurface>(operators, fem.relaxation, fem.motion, of_indenter,
                                                        fem.steps_per_cycle(), profile, fem.friction_coefficient);
   simulation.course = worn_to_its_end(std::move(contact), profile, fem, wear, checkpoints, after_jump);

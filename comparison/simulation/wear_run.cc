@@ -9,6 +9,7 @@
 
 #include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/simulation/wear_checkpoint.h"
+#include "fem/ring_contact/static_contact.h"
 #include "histories_hash.h"
 
 namespace fretval {
@@ -64,6 +65,13 @@ double widest_wear(const FemCase& fem, double largest_indentation) {
     (fem.profile(middle) < largest_indentation ? inner : outer) = middle;
   }
   return outer;
+}
+
+fem::WornProfile profile_before_wear(const FemCase& fem, const fem::Compliance& rings) {
+  const Eigen::VectorXd unworn = fem::ring_means(rings, fem.profile);
+  fem::WornProfile profile{unworn, Eigen::VectorXd::Zero(unworn.size())};
+  if (const auto& before = fem.worn_before) profile.worn = fem::ring_means(rings, before->depth, before->kinks);
+  return profile;
 }
 
 fem::WearCourse worn_to_its_end(std::unique_ptr<fem::RubbingContact> contact, const fem::WornProfile& profile,

@@ -9,7 +9,6 @@
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/require_room.h"
-#include "fem/ring_contact/static_contact.h"
 #include "fem/wear/rubbing_rings.h"
 
 namespace fretval {
@@ -110,9 +109,7 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
     simulation.centre[i] = std::hypot(simulation.radii[i], simulation.radii[i + 1]) / std::sqrt(2);
     simulation.unworn[i] = fem.profile(simulation.centre[i]);
   }
-  fem::WornProfile profile{fem::ring_means(body->normal.compliance, fem.profile), Eigen::VectorXd::Zero(n_rings)};
-  if (const auto& before = fem.worn_before)
-    profile.worn = fem::ring_means(body->normal.compliance, before->depth, before->kinks);
+  const auto profile = profile_before_wear(fem, body->normal.compliance);
   auto rings = std::make_unique<fem::RubbingRings>(body->normal, *body->tangential, fem.relaxation, fem.motion,
                                                    fem.steps_per_cycle(), profile, fem.friction_coefficient);
   simulation.course = worn_to_its_end(std::move(rings), profile, fem, wear, run.checkpoints, [&](const auto& course) {

@@ -121,7 +121,7 @@ TEST(VectorFriction, LosesWhatIsNotStored) {
   for (const int steps : {12, 48}) EXPECT_NEAR(energy_left(1.3, steps, 0.8), 0, 1e-9);
 }
 
-/// Around a circle, beginning at its centre's right.
+/// Around a circle, from its rightmost point on.
 LateralMotion circle_of(double radius) {
   return {[=](double t, double) {
             return ValueAndRate{radius * (std::cos(t) - 1), -radius * std::sin(t)};
@@ -131,7 +131,7 @@ LateralMotion circle_of(double radius) {
           }};
 }
 
-/// What friction takes in the last of some cycles under Hertz's pressure.
+/// What friction takes in the last of some cycles under a constant pressure of the rings.
 double lost_in_a_cycle(const SurfaceOperator& op, const RelaxationModel& relaxation, const LateralMotion& motion,
                        const VectorXd& pressure, int n_cycles, int steps) {
   VectorFriction friction(op, relaxation, 0.8, motion, steps);
