@@ -13,9 +13,10 @@ constexpr double enough_of_contact = 1e-11;
 constexpr int most_newton_steps = 200, most_applications = 200;
 
 /// Share of its right-hand side to which a linear system is solved while the remainder of the whole problem is this
-/// large: not smaller than the next step of Newton's method can make use of (Dembo, Eisenstat and Steihaug 1982).
-inline double share_for(double remainder) {
-  return std::clamp(remainder, 1e-6, 0.05);
+/// large, and `enough` is asked for: not smaller than the next step of Newton's method can make use of (Dembo,
+/// Eisenstat and Steihaug 1982), and no further below what is asked for than by a half.
+inline double share_for(double remainder, double enough) {
+  return std::min(std::max({remainder, 1e-6, enough / remainder / 2}), 0.05);
 }
 
 /// Preconditioned conjugate gradients for `A x = b` on fields, from x = 0, until the preconditioned residual is below a

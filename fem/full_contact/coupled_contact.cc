@@ -8,6 +8,7 @@
 
 #include "fem/contact/force_balance.h"
 #include "fem/contact/require_room.h"
+#include "fem/full_contact/anderson_mixing.h"
 #include "fem/full_contact/fields.h"
 #include "fem/full_contact/normal_solver.h"
 #include "fem/support/constants.h"
@@ -29,6 +30,7 @@ double share_of(double remainder) {
   return std::clamp(share * remainder, enough_of_contact, 1e-4);
 }
 constexpr int most_alternations = 100;
+constexpr std::size_t depth_of_mixing = 3;
 
 /// Wear as a linear function of the pressure around a given one, softness times pressure plus offset: the tangent of
 /// the law of wear or, with an exponent below 1, where tangents overshoot, its secant from 0.
@@ -73,6 +75,7 @@ CoupledContact::CoupledContact(const CoupledOperators& operators, const Relaxati
       normal_inverse_(operators.normal, VectorXd::Zero(operators.normal.n_rings())),
       relaxation_(relaxation),
       motion_(motion),
+      course_(friction.steps_per_cycle()),
       state_{{}, MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))} {
   press_without_friction();
 }
@@ -131,12 +134,14 @@ void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear,
     return solve_pressure(operators_.normal, softness, pull - stiff.asDiagonal() * line.offset, pressure, enough)
         .pressure;
   };
-  pressure = press(target - moved_by_traction(friction.traction));
+  AndersonMixing mixing(depth_of_mixing);
+  MatrixXd moved = moved_by_traction(friction.expected_traction());
+  pressure = press(target - moved);
   for (n_alternations = 1;; ++n_alternations) {
     const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, along);
-    const MatrixXd pull = target - moved_by_traction(rubbed.traction);
+    const MatrixXd moved_now = moved_by_traction(rubbed.traction);
     operators_.normal.apply(pressure, image);
-    opened_ = image - pull;
+    opened_ = image - target + moved_now;
     if (wears) opened_ += stiff.asDiagonal() * worn_field(wear, pressure);
     remainder = pressure_remainder(operators_.normal, softness, pressure, opened_);
     if (remainder <= enough_agreement && rubbed.remainder <= enough_agreement) return;
@@ -147,7 +152,8 @@ void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear,
                       "have one solution",
                       remainder, n_alternations, enough_agreement));
     enough = share_of(remainder);
-    pressure = press(pull);
+    moved = as_field(mixing.next(as_vector(moved), as_vector(moved_now)), moved.rows());
+    pressure = press(target - moved);
   }
 }
 
@@ -194,6 +200,7 @@ CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed, const
 void CoupledContact::step(const PressureWear& wear) {
   const auto& areas = operators_.normal.areas();
   const MatrixXd pressed = pressure;
+  if (expected_pressure_.size() > 0) pressure = expected_pressure_.cwiseMax(0);
   const auto [whole, driven, left_behind, before] = attempt(pressed, wear, way_of_forces(pressed, wear));
   const auto& relaxation = friction.next_step().relaxation;
   gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
@@ -207,6 +214,7 @@ void CoupledContact::step(const PressureWear& wear) {
   relaxation.advance(state_, whole, slip, driven);
   depth += whole.increment;
   friction.accept();
+  expected_pressure_ = course_.next(pressure);
   require_room(pressure.rowwise().maxCoeff());
 }
 

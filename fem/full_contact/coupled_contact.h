@@ -38,10 +38,11 @@ IndenterMotion indenter_motion(const Motion& motion);
 ///
 /// A step alternates: friction under the last pressures, then pressures under these tractions (block Gauss-Seidel). The
 /// error contracts in each alternation by the square of the coupling times the friction coefficient: over a half-space
-/// ((1 - 2 nu)/(2 - 2 nu)) mu at most. The normal natural residual of the pair is computed at its end, over the largest
-/// pressure, and that of friction as in solve_friction. Points that are pressed in the step before are driven by the
-/// indenter, exactly; the others move at a constant rate, so that lifting and touching are of second order (without the
-/// turns inside a step of fem/ring_contact/ring_courses.h).
+/// ((1 - 2 nu)/(2 - 2 nu)) mu at most, and faster by AndersonMixing of the displacements by tractions. It begins with
+/// the tractions and pressures that are expected by the cycle before (ExpectedCourse). The normal natural residual of
+/// the pair is computed at its end, over the largest pressure, and that of friction as in solve_friction. Points that
+/// are pressed in the step before are driven by the indenter, exactly; the others move at a constant rate, so that
+/// lifting and touching are of second order (without the turns inside a step of fem/ring_contact/ring_courses.h).
 class CoupledContact {
  public:
   /// profile: of the indenter, n_rings x n_angles, ring means of its height over the apex. The operators and the motion
@@ -72,7 +73,8 @@ class CoupledContact {
   /// All that the next step depends on. To be loaded into a contact that was made of the same arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(profile, friction, depth, pressure, gap, state_, balance_.displacements, balance_.stiffness);
+    archive(profile, friction, depth, pressure, gap, expected_pressure_, course_, state_, balance_.displacements,
+            balance_.stiffness);
   }
 
  private:
@@ -98,9 +100,11 @@ class CoupledContact {
   InverseOperator normal_inverse_;
   RelaxationModel relaxation_;
   const IndenterMotion& motion_;
-  RingState state_;          // of the displacements into the body
-  BalanceOfForces balance_;  // of the last step under forces
-  Eigen::MatrixXd opened_;   // areas times gaps at the end of the step times the instantaneous stiffness
+  Eigen::MatrixXd expected_pressure_;  // in the next step
+  ExpectedCourse course_;              // of the pressures
+  RingState state_;                    // of the displacements into the body
+  BalanceOfForces balance_;            // of the last step under forces
+  Eigen::MatrixXd opened_;             // areas times gaps at the end of the step times the instantaneous stiffness
 };
 
 }  // namespace fretval::fem

@@ -71,8 +71,9 @@ double product(const MatrixXd& a, const MatrixXd& b) {
 
 class Newton {
  public:
-  Newton(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess)
-      : op_(op), limit_(limit), largest_(limit.maxCoeff()) {
+  Newton(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess,
+         FrictionSolver::Preconditioner& preconditioner)
+      : op_(op), limit_(limit), largest_(limit.maxCoeff()), preconditioner_(preconditioner) {
     solution_.traction = onto_discs(guess, limit);
     op.apply(solution_.traction, image_);
     solution_.residual = pull - image_;
@@ -85,9 +86,9 @@ class Newton {
     return solution_.remainder <= enough;
   }
 
-  void iterate() {
+  void iterate(double enough) {
     ++solution_.iterations;
-    const auto newton = as_far_as_it_lowers(newton_step());
+    const auto newton = as_far_as_it_lowers(newton_step(enough));
     if (halves_remainder(newton)) return go(newton, 1);
     const auto down = as_far_as_it_lowers(gradient_step());
     const auto& better = lowering(newton) > lowering(down) ? newton : down;
@@ -103,15 +104,16 @@ class Newton {
     double share;
   };
 
-  MatrixXd newton_step() {
+  MatrixXd newton_step(double enough) {
     const Index m = limit_.cols();
     MatrixXd onto = solution_.traction, step, right;
     const Rims rims = find_rims(op_, solution_.residual, limit_, onto);
     op_.apply(onto - solution_.traction, image_);
     right = solution_.residual - image_;
     keep_to_rims(rims, limit_, right);
-    if (!inverse_ || last_applications_ > most_with_old_inverse)
-      inverse_.emplace(op_, rims.stiffness.rowwise().mean().cwiseQuotient(op_.areas()));
+    auto& [inverse, n_applications] = preconditioner_;
+    if (!inverse || n_applications > most_with_old_inverse)
+      inverse.emplace(op_, rims.stiffness.rowwise().mean().cwiseQuotient(op_.areas()));
     const auto apply = [&](const MatrixXd& field, MatrixXd& result) {
       op_.apply(field, result);
       result.leftCols(m) += rims.stiffness.cwiseProduct(field.leftCols(m));
@@ -119,12 +121,12 @@ class Newton {
       keep_to_rims(rims, limit_, result);
     };
     const auto precondition = [&](const MatrixXd& field, MatrixXd& result) {
-      inverse_->apply(field, result);
+      preconditioner_.inverse->apply(field, result);
       keep_to_rims(rims, limit_, result);
     };
-    const double share = share_for(solution_.remainder);
-    last_applications_ = conjugate_gradients(apply, precondition, right, share, most_applications, step);
-    solution_.applications += 1 + last_applications_;
+    const double share = share_for(solution_.remainder, enough);
+    n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
+    solution_.applications += 1 + n_applications;
     onto += step;
     for (Index j = 0; j < m; ++j)  // back to the rims, however far the step was
       for (Index i = 0; i < limit_.rows(); ++i) {
@@ -172,8 +174,7 @@ class Newton {
   const MatrixXd& limit_;
   double largest_;
   MatrixXd image_;
-  std::optional<InverseOperator> inverse_;  // for the rims of an earlier iteration
-  int last_applications_ = 0;               // applications of the operator for the last linear system
+  FrictionSolver::Preconditioner& preconditioner_;
   FrictionSolution solution_;
 };
 
@@ -189,8 +190,8 @@ void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd
 /// Solves the friction problem on the rings up to the last one that has a friction limit; operator and fields have no
 /// other rings.
 FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
-                                const MatrixXd& guess, double enough) {
-  Newton newton(op, pull, limit, guess);
+                                const MatrixXd& guess, double enough, FrictionSolver::Preconditioner& preconditioner) {
+  Newton newton(op, pull, limit, guess, preconditioner);
   while (!newton.is_done(enough)) {
     if (newton.solution().iterations == most_newton_steps) {
       if (newton.solution().remainder <= enough_where_it_stalls) break;
@@ -199,7 +200,7 @@ FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull,
                       "largest limit is left after {} iterations, {:.1e} is asked for",
                       newton.solution().remainder, most_newton_steps, enough));
     }
-    newton.iterate();
+    newton.iterate(enough);
   }
   return std::move(newton.solution());
 }
@@ -228,16 +229,24 @@ double friction_remainder(const SurfaceOperator& op, const MatrixXd& residual, c
 
 FrictionSolution solve_friction(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
                                 const MatrixXd& guess, double enough) {
-  require_fit(op, pull, limit, guess);
-  Index n = op.n_rings();
+  return FrictionSolver(op).solve(pull, limit, guess, enough);
+}
+
+FrictionSolution FrictionSolver::solve(const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess,
+                                       double enough) {
+  require_fit(*op_, pull, limit, guess);
+  Index n = op_->n_rings();
   while (n > 0 && limit.row(n - 1).maxCoeff() == 0) --n;
   FrictionSolution solution{MatrixXd::Zero(pull.rows(), pull.cols()), pull};
   if (n == 0) return solution;
-  const auto touching = op.leading(n);
-  auto found = solve_touching(touching, pull.topRows(n), limit.topRows(n), guess.topRows(n), enough);
+  if (!touching_ || touching_->n_rings() != n) {
+    touching_ = op_->leading(n);
+    preconditioner_ = {};
+  }
+  auto found = solve_touching(*touching_, pull.topRows(n), limit.topRows(n), guess.topRows(n), enough, preconditioner_);
   solution.traction.topRows(n) = found.traction;
   MatrixXd image;
-  op.apply(solution.traction, image);
+  op_->apply(solution.traction, image);
   solution.residual -= image;
   solution.residual.topRows(n) = found.residual;
   solution.remainder = found.remainder;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <optional>
 
 #include "fem/full_contact/conjugate_gradients.h"
 #include "fem/full_contact/surface_operator.h"
@@ -38,6 +39,27 @@ struct FrictionSolution {
 /// numbers.
 FrictionSolution solve_friction(const SurfaceOperator& op, const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit,
                                 const Eigen::MatrixXd& guess, double enough = enough_of_contact);
+
+/// The same for one problem after another on one operator, such as those of a step: what a problem was preconditioned
+/// with serves the next one, as long as that takes few applications.
+class FrictionSolver {
+ public:
+  /// op: must outlive this.
+  explicit FrictionSolver(const SurfaceOperator& op) : op_(&op) {}
+  FrictionSolution solve(const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit, const Eigen::MatrixXd& guess,
+                         double enough = enough_of_contact);
+
+  /// An inverse of the operator on the rings that have a friction limit, tied to the ground as it was once.
+  struct Preconditioner {
+    std::optional<InverseOperator> inverse;
+    int n_applications = 0;  ///< of the operator, for the last linear system
+  };
+
+ private:
+  const SurfaceOperator* op_;
+  std::optional<SurfaceOperator> touching_;  // on the rings that had a limit in the last problem
+  Preconditioner preconditioner_;
+};
 
 /// The tractions, each replaced by the nearest one within its limit where it exceeds that.
 Eigen::MatrixXd onto_discs(Eigen::MatrixXd traction, const Eigen::MatrixXd& limit);

@@ -43,9 +43,9 @@ class ActiveSet {
     return remainder_ <= enough;
   }
 
-  void iterate() {
+  void iterate(double enough) {
     ++n_iterations_;
-    const MatrixXd way = newton_step();
+    const MatrixXd way = newton_step(enough);
     apply(way, image_);
     if (remainder_of(scale_, pressure_ + way, pull_ - image_) < remainder_ / 2) return go(way, 1);
     const double share = share_of_descent(way);
@@ -69,7 +69,7 @@ class ActiveSet {
 
   [[nodiscard]] MatrixXd led() const { return pressure_ + scale_.cwiseProduct(pull_); }
 
-  MatrixXd newton_step() {
+  MatrixXd newton_step(double enough) {
     const MatrixXd pressed = (led().array() > 0).cast<double>();
     const MatrixXd onto = pressure_.cwiseProduct(pressed);
     apply(onto - pressure_, image_);
@@ -83,7 +83,7 @@ class ActiveSet {
       result = result.cwiseProduct(pressed);
     };
     MatrixXd step;
-    conjugate_gradients(apply_pressed, precondition, right, share_for(remainder_), most_applications, step);
+    conjugate_gradients(apply_pressed, precondition, right, share_for(remainder_, enough), most_applications, step);
     return (onto + step).cwiseMax(0) - pressure_;
   }
 
@@ -118,7 +118,7 @@ PressureSolution solve(const SurfaceOperator& op, const InverseOperator& inverse
           fmt::format("the normal contact on rings and angles does not converge: {:.1e} of the largest "
                       "pressure is left after {} iterations, {:.1e} is asked for",
                       set.remainder_left(), most_newton_steps, enough));
-    set.iterate();
+    set.iterate(enough);
   }
   return set.solution();
 }

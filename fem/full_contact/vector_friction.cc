@@ -54,6 +54,9 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       step_(relaxation_, dt_),
       x_{VectorXd::Zero(limit.size()), MatrixXd::Zero(limit.size(), step_.n_branches())},
       y_(x_),
+      solver_(op),
+      guess_(traction),
+      course_(times_.steps_per_cycle()),
       balance_{VectorXd::Zero(n_forces()), {}},
       turning_(MatrixXd::Zero(traction.rows(), traction.cols())),
       arms_(mean_radii(op.radii())) {
@@ -110,7 +113,8 @@ const FrictionSolution& VectorFriction::attempt(const MatrixXd& pressure, const 
   pull = op_.areas().asDiagonal() * pull;
   pull -= displaced;
   limit = friction_coefficient_ * pressure;
-  solution_ = solve_friction(op_, pull, limit, solution_.traction, enough);
+  solution_ = solver_.solve(pull, limit, guess_, enough);
+  guess_ = solution_.traction;
   return solution_;
 }
 
@@ -118,6 +122,7 @@ void VectorFriction::accept() {
   const Index m = limit.cols();
   const auto& [x_to_balance, y_to_balance, x, y] = moves_;
   traction_before = std::exchange(traction, solution_.traction);
+  guess_ = course_.next(traction);
   const MatrixXd along_traction =
       (op_.areas() * step_.instantaneous()).cwiseInverse().asDiagonal() * solution_.residual;
   slip = along_traction + turning();

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "fem/contact/force_balance.h"
+#include "fem/full_contact/expected_course.h"
 #include "fem/full_contact/friction_solver.h"
 #include "fem/full_contact/surface_operator.h"
 #include "fem/motion/motion.h"
@@ -61,6 +62,9 @@ class VectorFriction {
                                   const Eigen::VectorXd& along);
   /// Makes the step of the last attempt.
   void accept();
+  /// The tractions with which the next attempt begins: those of the last one or, at the start of a step, those that are
+  /// expected (ExpectedCourse).
+  [[nodiscard]] const Eigen::MatrixXd& expected_traction() const { return guess_; }
 
   /// Number of prescribed forces along the surface: F_x, and F_y as well where no mirror balances it.
   [[nodiscard]] Eigen::Index n_forces() const;
@@ -115,7 +119,7 @@ class VectorFriction {
   /// All that the next step depends on. To be loaded into a friction that was made of the same arguments.
   template <class Archive>
   void serialize(Archive& archive) {
-    archive(n_steps, displacement, increment, limit, traction, traction_before, slip, x_, y_, solution_.traction,
+    archive(n_steps, displacement, increment, limit, traction, traction_before, slip, x_, y_, guess_, course_,
             balance_.displacements, balance_.stiffness, turning_, dt_before_);
   }
 
@@ -128,7 +132,10 @@ class VectorFriction {
   double dt_;  // of the step that step_ is made for
   RelaxationStep step_;
   RingState x_, y_;
+  FrictionSolver solver_;
   FrictionSolution solution_;
+  Eigen::MatrixXd guess_;  // for the tractions of the next attempt
+  ExpectedCourse course_;  // of the tractions
   /// Moves of the indenter in the step that is attempted.
   struct Moves {
     IndenterMove x_to_balance, y_to_balance, x, y;

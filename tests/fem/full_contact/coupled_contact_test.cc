@@ -177,6 +177,25 @@ TEST(CoupledContact, FollowsForcesAround) {
   }
 }
 
+// Every step begins with what the cycle before makes it expect.
+TEST(CoupledContact, TakesFewerAlternationsTheCloserItComesToItsPeriodicState) {
+  const auto& surface = surface_half_space(0.3);
+  const auto operators = coupled_operators(surface, angular_grid(4, Mirrors::x));
+  const auto swing = [](double mean, double amplitude) {
+    return [=](double t, double) { return ValueAndRate{mean + amplitude * std::sin(t), amplitude * std::cos(t)}; };
+  };
+  constexpr int n_steps = 16, n_cycles = 6;
+  const IndenterMotion motion{swing(0.5, 0.1), {swing(0, 0.05), nowhere}};
+  CoupledContact contact(operators, {}, 0.5, round_profile(surface, 2, 2), motion, n_steps);
+  std::vector<int> alternations(n_cycles, 0);
+  for (int& of_cycle : alternations)
+    for (int k = 0; k < n_steps; ++k) {
+      contact.step();
+      of_cycle += contact.n_alternations;
+    }
+  EXPECT_LT(alternations.back(), 0.5 * alternations.front());
+}
+
 TEST(CoupledContact, RefusesWhatItCannotDo) {
   const auto& surface = surface_half_space(0.3);
   EXPECT_THROW(coupled_operators(surface, angular_grid(4, Mirrors::x_and_y)), std::invalid_argument);

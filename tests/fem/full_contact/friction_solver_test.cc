@@ -26,6 +26,21 @@ MatrixXd pull_by(const SurfaceOperator& op, double x, double y) {
   return pull;
 }
 
+// What is kept of a problem must not stick to the next one, on fewer rings and under other limits.
+TEST(FrictionSolver, SolvesOneProblemAfterAnotherAsEachByItself) {
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const MatrixXd pressed = hertz_pressure(surface_half_space(0.5)).replicate(1, 8),
+                 nothing = MatrixXd::Zero(op.n_rings(), 16);
+  FrictionSolver solver(op);
+  for (const double push : {0.2, 0.5, 0.7}) {
+    MatrixXd limit = pressed / push;
+    limit.bottomRows(static_cast<Index>(push * static_cast<double>(op.n_rings()))).setZero();
+    const MatrixXd pull = pull_by(op, push, 0.3);
+    const auto found = solver.solve(pull, limit, nothing), alone = solve_friction(op, pull, limit, nothing);
+    EXPECT_LT((found.traction - alone.traction).norm(), 1e-9 * alone.traction.norm()) << push;
+  }
+}
+
 // Limits that vary around the axis, and a twist beside the push: nothing is left of any symmetry.
 TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
   const SurfaceOperator op(surface_half_space(0.5), angular_grid(6), Fields::tangential);
