@@ -86,6 +86,7 @@ ForceAtEdge unknown_fall(const PunchSeries& series, const Eigen::VectorXd& depth
 ForceAtEdge force_missed_at_edge(const PunchSeries& series, const Eigen::VectorXd& depths, Index n_pressed,
                                  double radius, const TimesInContact& times) {
   const auto& [relaxation, in_contact] = times;
+  if (relaxation.moduli.empty()) return {};
   const Index last = n_pressed - 1;
   const double edge = series.place_of(radius);
   // From the last ring inwards.

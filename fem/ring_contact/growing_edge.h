@@ -30,6 +30,9 @@ struct ForceAtEdge {
 /// for the last ring but one and the one before. The uncertainty is what the force would differ by with the C of the
 /// last ring.
 ///
+/// Nothing is missed of a body without branches: depths of rings in contact go with the indentation and its rate,
+/// however long each has been in contact, and are cubics up to the edge.
+///
 /// depths: of PunchSeries, of n_pressed rings, at least four, around the centre; radius: of the edge. Where the last
 /// rings were not touched one after the other, nothing is added, and what depths that fall to zero from the last ring
 /// on would take off is the uncertainty, by half.

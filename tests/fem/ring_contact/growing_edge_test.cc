@@ -169,6 +169,18 @@ TEST(GrowingEdge, IsNotKnownWhereRingsWereTouchedAtOnce) {
   EXPECT_NEAR(missed.uncertainty, series.force_per_radius() * 0.5 * (edge - last) / 4, 1e-12);
 }
 
+// A spring and a dashpot remember nothing of when a ring was touched: depths jump at the edge by what the dashpot
+// bears.
+TEST(GrowingEdge, IsKnownOfABodyWithoutBranchesHoweverRingsWereTouched) {
+  const auto& series = normal_half_space(32).series;
+  const Eigen::VectorXd depths = Eigen::VectorXd::Constant(series.radii().size(), 0.5),
+                        times = Eigen::VectorXd::Constant(depths.size(), 1.0);
+  const auto missed =
+      force_missed_at_edge(series, depths, 10, series.radii()[9] + 0.25 / 32, {{1, {}, {}, 0.1}, times});
+  EXPECT_EQ(missed.force, 0);
+  EXPECT_EQ(missed.uncertainty, 0);
+}
+
 // The last ring was touched after a pause of the edge: the cubic through the ways goes back and forth.
 TEST(GrowingEdge, IsNotKnownWhereItHasPaused) {
   constexpr unsigned rings = 32;
