@@ -45,7 +45,7 @@ double indentation_for_load(const SpringStep& step, const SpringState& state, co
   require_positive("normal load", load);
   const NormalLines lines = step.normal_lines(state, bed);
   const auto excess = [&](double d) -> Line {
-    const auto touching = (d > lines.touch).cast<double>() * bed.width;
+    const auto touching = (d > lines.touch).cast<double>() * bed.width;  // evaluated where it is summed
     return {lines.slope * (touching * (d - lines.zero)).sum() - load, lines.slope * touching.sum()};
   };
   return root_of_lines(excess, moving_on(state.indenter.indentation, state.indenter_before.indentation),
@@ -64,7 +64,7 @@ double tangential_for_load(const SpringStep& step, const SpringState& state, con
     throw slip;
   }
   const auto excess = [&](double shift) -> Line {
-    const Eigen::ArrayXd stuck = lines.value + shift * lines.slope;
+    const auto stuck = lines.value + shift * lines.slope;  // evaluated where they are summed
     const auto sticks = (stuck.abs() < lines.most).cast<double>() * bed.width;
     return {(bed.width * stuck.min(lines.most).max(-lines.most)).sum() - load, (sticks * lines.slope).sum()};
   };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "mdr/support/checks.h"
@@ -23,6 +24,42 @@ double fitted_theta(double z) {
 double share_in_contact(double load_before, double above, double below) {
   return load_before > 0 || below <= 0 ? 1 : below / (below + above);
 }
+
+/// What passes for prescribed forces need of a step; see SpringStep::lines_of.
+template <int n_branches, class TipRule>
+struct SpringLines {
+  std::array<double, static_cast<std::size_t>(std::max(n_branches, 1))> few_decays;
+  const double* decay;  // of more than three branches
+  Eigen::Index n_memory, n_springs;
+  double stiffness, gain, viscosity, rate;  // rate: 1.5 eta/(G0 dt)
+  TipRule tip_under;
+
+  /// Force of the branches of a spring: what is left of it at the end of the step, and what it is at its start.
+  struct BranchForce {
+    double left, now;
+  };
+  [[nodiscard]] BranchForce branch_force(const double* memory, Eigen::Index spring) const {
+    BranchForce force{0, 0};
+    for (Eigen::Index i = 0; i < (n_branches < 0 ? n_memory : n_branches); ++i) {
+      const double of_branch = memory[i * n_springs + spring];
+      force.left += (n_branches < 0 ? decay[i] : few_decays[static_cast<std::size_t>(i)]) * of_branch;
+      force.now += of_branch;
+    }
+    return force;
+  }
+
+  /// Load of a spring as a function of the indentation (NormalLines), and where its tip is if nothing holds it. depth
+  /// and load: of the spring at the start of the step; coasting: rate of an indenter that comes to 0.
+  struct NormalLine {
+    double zero, touch, free;
+  };
+  [[nodiscard]] NormalLine normal_line(double height, double depth, double load, const BranchForce& force,
+                                       double coasting) const {
+    const double zero = (stiffness * height + gain * depth - force.left - viscosity * coasting) / (stiffness + rate),
+                 free = tip_under(0.0, depth, force.left, depth + force.now);
+    return {zero, load > 0 ? zero : std::max(zero, height + free), free};
+  }
+};
 
 }  // namespace
 
@@ -56,38 +93,30 @@ SpringStep::SpringStep(const PronyBody& body, double mu, double dt) : limit_(1.5
   tip_under_ = {viscosity_ / dt, theta, gain_sum_, viscosity_ / dt + theta * (1 + gain_sum_)};
 }
 
-Eigen::ArrayXd SpringStep::left_of(const Eigen::ArrayXXd& memory) const {
-  return (memory.matrix() * Eigen::Map<const Eigen::VectorXd>(decay_.data(), memory.cols())).array();
-}
-
-Eigen::ArrayXd SpringStep::free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
-  return tip_under_.operator()<Eigen::ArrayXd>(0, position, left_of(memory), position + memory.rowwise().sum());
+template <class Pass>
+void SpringStep::for_branches(const Pass& pass) const {
+  in_wide_registers([&] {
+    switch (decay_.size()) {
+      case 0:
+        return pass(std::integral_constant<int, 0>());
+      case 1:
+        return pass(std::integral_constant<int, 1>());
+      case 2:
+        return pass(std::integral_constant<int, 2>());
+      case 3:
+        return pass(std::integral_constant<int, 3>());
+      default:
+        return pass(std::integral_constant<int, -1>());
+    }
+  });
 }
 
 void SpringStep::advance(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
   if (viscosity_ > 0)
-    advance_in_wide_registers<true>(state, bed, to);
+    for_branches([&](auto n) { advance_springs<true, n()>(state, bed, to); });
   else
-    advance_in_wide_registers<false>(state, bed, to);
+    for_branches([&](auto n) { advance_springs<false, n()>(state, bed, to); });
   state.indenter_before = std::exchange(state.indenter, to);
-}
-
-template <bool has_dashpot>
-void SpringStep::advance_in_wide_registers(SpringState& state, const SpringBed& bed, const IndenterState& to) const {
-  in_wide_registers([&] {
-    switch (decay_.size()) {
-      case 0:
-        return advance_springs<has_dashpot, 0>(state, bed, to);
-      case 1:
-        return advance_springs<has_dashpot, 1>(state, bed, to);
-      case 2:
-        return advance_springs<has_dashpot, 2>(state, bed, to);
-      case 3:
-        return advance_springs<has_dashpot, 3>(state, bed, to);
-      default:
-        return advance_springs<has_dashpot, -1>(state, bed, to);
-    }
-  });
 }
 
 // One pass over the springs without a branch in it, so that the compiler vectorises it; n_branches = -1: any number.
@@ -176,30 +205,60 @@ IndenterState SpringStep::arrived(const SpringState& state, double indentation, 
           rate(tangential, last.tangential, before.tangential)};
 }
 
+template <int n_branches>
+auto SpringStep::lines_of(Eigen::Index n_springs) const {
+  SpringLines<n_branches, TipRule> lines{{},         decay_.data(),          static_cast<Eigen::Index>(decay_.size()),
+                                         n_springs,  1 + gain_sum_,          gain_sum_,
+                                         viscosity_, 1.5 * viscosity_ / dt_, tip_under_};
+  if constexpr (n_branches > 0) std::copy_n(decay_.begin(), n_branches, lines.few_decays.begin());
+  return lines;
+}
+
 NormalLines SpringStep::normal_lines(const SpringState& state, const SpringBed& bed) const {
-  const double stiffness = 1 + gain_sum_, rate = 1.5 * viscosity_ / dt_, slope = stiffness + rate;
+  const Eigen::Index n = bed.depth.size();
   const double coasting = arrived(state, 0, 0).indentation_rate;
-  const Eigen::ArrayXd zero =
-      (stiffness * bed.depth + gain_sum_ * state.normal_depth - left_of(state.normal_memory) - viscosity_ * coasting) /
-      slope;
-  const Eigen::ArrayXd touch = bed.depth + free_tips(state.normal_depth, state.normal_memory);
-  return {zero, (state.normal_load > 0).select(zero, zero.max(touch)), slope};
+  NormalLines lines{Eigen::ArrayXd(n), Eigen::ArrayXd(n), 1 + gain_sum_ + 1.5 * viscosity_ / dt_};
+  double *zero = lines.zero.data(), *touch = lines.touch.data();
+  const double *depth = bed.depth.data(), *u = state.normal_depth.data(), *p = state.normal_load.data(),
+               *memory = state.normal_memory.data();
+  for_branches([&](auto n_branches) {
+    const auto of = lines_of<n_branches()>(n);
+#pragma GCC ivdep
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto line = of.normal_line(depth[j], u[j], p[j], of.branch_force(memory, j), coasting);
+      zero[j] = line.zero;
+      touch[j] = line.touch;
+    }
+  });
+  return lines;
 }
 
 TangentialLines SpringStep::tangential_lines(const SpringState& state, const SpringBed& bed, double indentation) const {
-  const double stiffness = 1 + gain_sum_, rate = 1.5 * viscosity_ / dt_;
-  const NormalLines normal = normal_lines(state, bed);
-  const Eigen::ArrayXd load = (indentation > normal.touch).select(normal.slope * (indentation - normal.zero), 0);
-  const Eigen::ArrayXd below = indentation - bed.depth - free_tips(state.normal_depth, state.normal_memory);
-  Eigen::ArrayXd held(load.size());
-  for (Eigen::Index j = 0; j < held.size(); ++j)
-    held[j] = share_in_contact(state.normal_load[j],
-                               state.normal_depth[j] - (state.indenter.indentation - bed.depth[j]), below[j]);
-  const double coasting = arrived(state, 0, state.indenter.tangential).tangential_rate;
-  const Eigen::ArrayXd& v = state.tangential_shift;
-  return {v + left_of(state.tangential_memory) + stiffness * (1 - held) * (free_tips(v, state.tangential_memory) - v) +
-              viscosity_ * coasting,
-          stiffness * held + rate, limit_ * load};
+  const Eigen::Index n = bed.depth.size();
+  const auto coasting = arrived(state, 0, state.indenter.tangential);
+  const double coasting_down = coasting.indentation_rate, coasting_along = coasting.tangential_rate, limit = limit_,
+               before = state.indenter.indentation;
+  TangentialLines lines{Eigen::ArrayXd(n), Eigen::ArrayXd(n), Eigen::ArrayXd(n)};
+  double *value = lines.value.data(), *slope = lines.slope.data(), *most = lines.most.data();
+  const double *depth = bed.depth.data(), *u = state.normal_depth.data(), *v = state.tangential_shift.data(),
+               *p = state.normal_load.data(), *memory = state.normal_memory.data(),
+               *tangential_memory = state.tangential_memory.data();
+  for_branches([&](auto n_branches) {
+    const auto of = lines_of<n_branches()>(n);
+#pragma GCC ivdep
+    for (Eigen::Index j = 0; j < n; ++j) {
+      const auto line = of.normal_line(depth[j], u[j], p[j], of.branch_force(memory, j), coasting_down);
+      const auto force = of.branch_force(tangential_memory, j);
+      const double touching = indentation - depth[j],
+                   held = share_in_contact(p[j], u[j] - (before - depth[j]), touching - line.free),
+                   free = of.tip_under(0.0, v[j], force.left, v[j] + force.now);
+      value[j] = v[j] + force.left + of.stiffness * (1 - held) * (free - v[j]) + of.viscosity * coasting_along;
+      slope[j] = of.stiffness * held + of.rate;
+      const double load = (of.stiffness + of.rate) * (indentation - line.zero);
+      most[j] = limit * (indentation > line.touch ? load : 0);
+    }
+  });
+  return lines;
 }
 
 }  // namespace fretval::mdr

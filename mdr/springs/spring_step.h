@@ -97,18 +97,19 @@ class SpringStep {
   /// and branches at the start, m.
   struct TipRule {
     double viscous, theta, gain_sum, weight;  // eta/(G0 dt), -, -, viscous + theta (1 + gain_sum)
-    template <class T>
-    [[nodiscard]] T operator()(double load, const T& position, const T& left, const T& force_now) const {
+    [[nodiscard]] double operator()(double load, double position, double left, double force_now) const {
       return (load + viscous * position - theta * (left - gain_sum * position) - (1 - theta) * force_now) / weight;
     }
   };
 
+  /// Calls pass(n) with the number of branches as a compile-time constant, -1 for more than three, in wide registers.
+  template <class Pass>
+  void for_branches(const Pass& pass) const;
+  /// SpringLines: what a pass over the springs needs of the step, by value, so that nothing it writes to can change it.
+  template <int n_branches>
+  [[nodiscard]] auto lines_of(Eigen::Index n_springs) const;
   template <bool has_dashpot, int n_branches>
   void advance_springs(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
-  template <bool has_dashpot>
-  void advance_in_wide_registers(SpringState& state, const SpringBed& bed, const IndenterState& to) const;
-  [[nodiscard]] Eigen::ArrayXd left_of(const Eigen::ArrayXXd& memory) const;
-  [[nodiscard]] Eigen::ArrayXd free_tips(const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const;
 
   double limit_;               // (3/2) mu
   double dt_;                  // s
