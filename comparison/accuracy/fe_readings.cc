@@ -5,19 +5,6 @@
 namespace fretval {
 namespace {
 
-/// Adds forces and works of a cycle. Without memory all losses are those of friction, and the other works are not
-/// compared.
-void add_cycle(const fem::CycleResponse& cycle, Readings& readings) {
-  const auto& [force_max, force_mean, friction, loss, loop] = cycle.uncertainty;
-  const bool has_memory = cycle.bulk_work > 0;
-  readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force_max};
-  readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force_mean};
-  readings[Quantity::friction_work] = {cycle.friction_work, friction};
-  readings[Quantity::bulk_work] = {cycle.bulk_work, loss + friction, "", has_memory};
-  readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, loss, "", has_memory};
-  readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
-}
-
 void take_kind(const DiscAnswer& /*unused*/, Readings& /*unused*/) {}
 
 void take_kind(const NoWearEvidence& evidence, Readings& readings) {

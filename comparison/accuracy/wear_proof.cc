@@ -233,7 +233,7 @@ ErrorBar bar_of_rate(const PreparedCase& prepared, const ProvedWear& wear, const
 bool slip_is_proved(const ProvedAnswer& unworn) {
   const auto bar = unworn.budget.find(Quantity::friction_work);
   if (bar == unworn.budget.end() || !unworn.fe.cycle) return true;
-  return unworn.fe.cycle->friction_work > bar->second.total() * unworn.fe.cycle->sliding_work;
+  return unworn.fe.cycle->value(Quantity::friction_work) > bar->second.total() * unworn.fe.cycle->sliding_work;
 }
 
 Comparison compare(const PreparedCase& prepared, const ProvedWear& wear, const ErrorBudget& budget) {

@@ -87,9 +87,15 @@ const EntryTraits* find_entry(const std::string& section, const std::string& nam
 }
 
 const EntryTraits* find_entry(const std::string& place) {
+  const auto [section, entry] = place_of(place);
+  return find_entry(section, entry);
+}
+
+EntryPlace place_of(const std::string& text) {
   const std::string between = " / ";
-  const auto at = place.find(between);
-  return at == std::string::npos ? nullptr : find_entry(place.substr(0, at), place.substr(at + between.size()));
+  const auto at = text.find(between);
+  if (at == std::string::npos) return {text, ""};
+  return {text.substr(0, at), text.substr(at + between.size())};
 }
 
 bool is_entry(const std::string& section, const std::string& name) {

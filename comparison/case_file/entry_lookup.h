@@ -13,6 +13,11 @@ const SectionTraits* find_section(const std::string& name);
 const EntryTraits* find_entry(const std::string& section, const std::string& name);
 /// The entry that a sweep names as "SECTION / ENTRY"; null: there is none.
 const EntryTraits* find_entry(const std::string& place);
+/// "SECTION / ENTRY" taken apart. Without the stroke all of it is the section.
+struct EntryPlace {
+  std::string section, entry;
+};
+EntryPlace place_of(const std::string& text);
 bool is_entry(const std::string& section, const std::string& name);
 /// The names of all entries of a section but those in `others`.
 std::vector<std::string> names_but(const std::string& section, const std::vector<std::string>& others);

@@ -17,10 +17,8 @@ Quantity lasting_stick_radius(MotionKind kind) {
 
 void keep_to(MotionKind kind, Readings& readings) {
   if (!is_pass(kind)) return;
-  for (const auto quantity :
-       {Quantity::bulk_work, Quantity::cycle_work, Quantity::tangential_work, Quantity::shakedown_along,
-        Quantity::shakedown_across, Quantity::slip_decay, Quantity::cycles_to_shakedown})
-    readings.erase(quantity);
+  for (const auto quantity : all_quantities)
+    if (traits_of(quantity).of_periodic_state) readings.erase(quantity);
   const auto leave_out = [&](Quantity quantity, const char* why) {
     const auto found = readings.find(quantity);
     if (found == readings.end()) return;

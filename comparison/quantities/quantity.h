@@ -122,6 +122,7 @@ struct QuantityTraits {
   bool of_friction = false;  ///< friction has a part in it: how rings are held in a step matters
   /// It tells how a motion settles, which both methods know less well than the state that it settles to.
   bool of_settling = false;
+  bool of_periodic_state = false;  ///< a single pass does not have it
 };
 const QuantityTraits& traits_of(Quantity quantity);
 

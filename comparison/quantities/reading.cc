@@ -5,6 +5,25 @@
 
 namespace fretval {
 
+double CycleReadings::value(Quantity quantity) const {
+  const auto found = readings.find(quantity);
+  return found == readings.end() ? 0 : found->second.value.value_or(0);
+}
+
+double CycleReadings::uncertainty(Quantity quantity) const {
+  const auto found = readings.find(quantity);
+  return found == readings.end() ? 0 : found->second.uncertainty.value_or(0);
+}
+
+void add_cycle(const CycleReadings& cycle, Readings& readings) {
+  const double bulk = cycle.value(Quantity::bulk_work);
+  for (const auto& [quantity, reading] : cycle.readings) {
+    readings[quantity] = reading;
+    if (traits_of(quantity).of_periodic_state) readings[quantity].is_compared = bulk > 0;
+  }
+  readings.at(Quantity::cycle_work).value = cycle.value(Quantity::friction_work) + bulk;
+}
+
 std::optional<double> difference_of(Quantity quantity, const Reading& fe, const Reading& mdr, const Scales& scales) {
   if (!fe.value || !mdr.value) return std::nullopt;
   return (*fe.value - *mdr.value) / scale_of(quantity, scales, *mdr.value);

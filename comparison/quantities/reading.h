@@ -20,6 +20,20 @@ struct Reading {
 };
 using Readings = std::map<Quantity, Reading>;
 
+/// Forces and works by one method that drive a locked motion through a cycle of the periodic state, or through a single
+/// pass; SI units.
+struct CycleReadings {
+  Readings readings;     ///< of cycle_work the uncertainty alone: its value is friction_work + bulk_work
+  double sliding_force;  ///< mu times the largest normal force
+  double sliding_work;   ///< what sliding under that force along the whole tangential path would cost
+
+  [[nodiscard]] double value(Quantity quantity) const;        ///< 0: there is none
+  [[nodiscard]] double uncertainty(Quantity quantity) const;  ///< 0: there is none
+};
+
+/// Adds the readings of a cycle. Without memory all losses are those of friction, and the other works are not compared.
+void add_cycle(const CycleReadings& cycle, Readings& readings);
+
 /// Values in the units of comparison, in which error bars are added up: radii over the unworn contact radius (0:
 /// nothing sticks), forces and energies over those of sliding, or as logarithms where differences are relative.
 using Quantities = std::map<Quantity, double>;

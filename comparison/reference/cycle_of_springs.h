@@ -1,11 +1,13 @@
 #pragma once
 
 #include <algorithm>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "comparison/reference/mdr_values.h"
 #include "mdr/motion/commensurability.h"
 #include "mdr/springs/forced_response.h"
+#include "mdr/springs/path_data.h"
 #include "mdr/stick/stick_radius.h"
 
 namespace fretval {
@@ -18,27 +20,29 @@ bool settles_for_long(const mdr::PronyBody& body, double period);
 /// The cycle of the motion that springs are stepped through; empty: there is none, see MdrAnswer::cycle.
 std::optional<mdr::CommonCycle> cycle_to_step(const MdrCase& mdr);
 
-/// Forces and works of this cycle by springs; empty: there is no such cycle.
-std::optional<MdrCycle> cycle_of_springs(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
-                                         double normal_force_max);
-
-/// The cycle of any stepped response. tangential_way: the length of the tangential path of the indenter.
-template <class Response>
-MdrCycle cycle_of(const MdrCase& mdr, const Response& response, const Response& error, double normal_force_max,
-                  double tangential_way) {
-  const double sliding_force = mdr.friction_coefficient * normal_force_max;
-  return {response.tangential_force_max,
-          response.tangential_force_mean,
-          response.friction_work,
-          response.bulk_work,
-          response.tangential_work,
-          sliding_force,
-          sliding_force * tangential_way,
-          std::max(error.tangential_force_max, error.tangential_force_mean),
-          error.friction_work + error.bulk_work,
-          error.tangential_work,
-          mdr.body.viscosity == 0 || mdr.is_single_pass() || mdr.cycle_tolerance};
+/// The uncertainty of a value: empty for closed forms, whose error is 0.
+inline std::optional<double> if_any(double error) {
+  return error > 0 ? std::optional(error) : std::nullopt;
 }
+
+/// Forces and works of this cycle by springs; empty: there is no such cycle.
+std::optional<CycleReadings> cycle_of_springs(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped,
+                                              double normal_force_max);
+
+/// The cycle of a path, or of its single pass. For a pass the work inside the body is left out, as stored energy cannot
+/// be told from losses.
+CycleReadings cycle_along(const MdrCase& mdr, mdr::PathForces forces, mdr::PathForces error, double normal_force_max);
+
+/// Leaves the largest tangential force out where it is not known: with a dashpot loads jump where springs touch, which
+/// few springs and steps do not resolve, unless the case has a tolerance on cycles.
+void leave_out_unknown_force(const MdrCase& mdr, CycleReadings& cycle);
+
+/// Turns the cycle of an incompressible body into that of the body of the case (see incompressible_case), whose
+/// tangential displacements are over `displacement`.
+void divide_works(double displacement, CycleReadings& cycle);
+
+/// Errors of springs in result.json and in `fretval mdr --json`.
+nlohmann::ordered_json errors_json(const CycleReadings& cycle);
 
 /// Takes over stick radii and the largest indentation of a response that was stepped under forces, with their errors.
 template <class Response>

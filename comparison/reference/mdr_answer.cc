@@ -28,14 +28,16 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
 /// Whether springs know the cycle of an answer as well as the case asks for.
 bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
   if (!mdr.cycle_tolerance || !answer.cycle) return true;
-  constexpr double share_of_springs = 0.25, of_friction_over_sliding = 0.1;
-  const auto& cycle = *answer.cycle;
-  const auto known_over = [tolerance = share_of_springs * *mdr.cycle_tolerance](double error, double scale) {
-    return scale <= 0 || error <= tolerance * scale;
+  constexpr double share_of_springs = 0.25;
+  const double tolerance = share_of_springs * *mdr.cycle_tolerance;
+  const Scales scales{0, answer.cycle->sliding_force, answer.cycle->sliding_work};
+  const auto is_known = [&](const auto& of_quantity) {
+    const auto& [quantity, reading] = of_quantity;
+    const double value = reading.value.value_or(0);
+    return value <= 0 || reading.uncertainty.value_or(0) <=
+                             tolerance / traits_of(quantity).strictness * scale_of(quantity, scales, value);
   };
-  return known_over(cycle.force_error, cycle.tangential_force_max) &&
-         known_over(cycle.work_error, of_friction_over_sliding * cycle.sliding_work) &&
-         known_over(cycle.work_error, cycle.bulk_work) && known_over(cycle.loop_error, cycle.tangential_work);
+  return std::all_of(answer.cycle->readings.begin(), answer.cycle->readings.end(), is_known);
 }
 
 /// answer_with: as many times the usual springs and steps.
@@ -119,12 +121,11 @@ MdrAnswer worn_answer(const MdrCase& mdr, const mdr::NormalResponse& normal) {
   return answer;
 }
 
-/// Forces and works of the pass or of the period of a path. For a pass the work inside the body is left out, as stored
-/// energy cannot be told from losses.
-MdrCycle cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
-  auto forces = stepped.forces, error = stepped.error;
-  if (mdr.is_single_pass()) forces.bulk_work = error.bulk_work = forces.tangential_work = 0;
-  return cycle_of(mdr, forces, error, normal_force_max, forces.tangential_way);
+/// The cycle of a path by the springs of one direction.
+CycleReadings cycle_along(const MdrCase& mdr, const mdr::SteppedPathForces& stepped, double normal_force_max) {
+  auto cycle = cycle_along(mdr, stepped.forces, stepped.error, normal_force_max);
+  leave_out_unknown_force(mdr, cycle);
+  return cycle;
 }
 
 /// Whether springs are asked about forces and energies along a path.
@@ -239,13 +240,7 @@ namespace {
 MdrAnswer in_body_of_case(MdrAnswer answer, double displacement) {
   if (displacement == 1) return answer;
   if (answer.tangential_amplitude) *answer.tangential_amplitude /= displacement;
-  if (!answer.cycle) return answer;
-  auto& cycle = *answer.cycle;
-  const double normal_loss = cycle.friction_work + cycle.bulk_work - cycle.tangential_work;
-  for (double* work :
-       {&cycle.friction_work, &cycle.tangential_work, &cycle.sliding_work, &cycle.work_error, &cycle.loop_error})
-    *work /= displacement;
-  cycle.bulk_work = normal_loss + cycle.tangential_work - cycle.friction_work;
+  if (answer.cycle) divide_works(displacement, *answer.cycle);
   return answer;
 }
 
@@ -275,7 +270,7 @@ MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& n
 }
 
 /// The cycle under prescribed displacements, whose radii have closed forms: springs as fine as forces need.
-std::optional<MdrCycle> displaced_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
+std::optional<CycleReadings> displaced_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
   if (mdr.path) {
     constexpr mdr::PathFineness usual{100, 90, 10, 1e-7};
     if (!has_cycle_along(mdr)) return std::nullopt;

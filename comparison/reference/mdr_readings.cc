@@ -4,26 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/quantities/readings_json.h"
+#include "comparison/reference/cycle_of_springs.h"
 
 namespace fretval {
 namespace {
-
-/// The uncertainty of a value: empty for closed forms, whose error is 0.
-std::optional<double> if_any(double error) {
-  return error > 0 ? std::optional(error) : std::nullopt;
-}
-
-/// Adds forces and works of a cycle. Without memory all losses are those of friction.
-void add_cycle(const MdrCycle& cycle, Readings& readings) {
-  const auto force = if_any(cycle.force_error), work = if_any(cycle.work_error), loop = if_any(cycle.loop_error);
-  const bool has_memory = cycle.bulk_work > 0;
-  if (cycle.knows_largest_force) readings[Quantity::tangential_force_max] = {cycle.tangential_force_max, force};
-  readings[Quantity::tangential_force_mean] = {cycle.tangential_force_mean, force};
-  readings[Quantity::friction_work] = {cycle.friction_work, work};
-  readings[Quantity::bulk_work] = {cycle.bulk_work, work, "", has_memory};
-  readings[Quantity::cycle_work] = {cycle.friction_work + cycle.bulk_work, work, "", has_memory};
-  readings[Quantity::tangential_work] = {cycle.tangential_work, loop, "", has_memory};
-}
 
 void take_kind(const UnwornAnswer& /*unused*/, Readings& /*unused*/) {}
 
@@ -84,8 +68,7 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
                                                     ? nlohmann::ordered_json(nullptr)
                                                     : nlohmann::ordered_json(answer.modulus_ratio)}};
   add_readings(readings_of(answer), json);
-  if (const auto& cycle = answer.cycle)
-    json["cycle_error"] = {{"force", cycle->force_error}, {"work", cycle->work_error}, {"loop", cycle->loop_error}};
+  if (answer.cycle) json["cycle_error"] = errors_json(*answer.cycle);
   if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.steady_sliding_share) json["steady_sliding_share"] = *answer.steady_sliding_share;

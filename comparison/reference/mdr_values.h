@@ -3,28 +3,11 @@
 #include <optional>
 #include <variant>
 
+#include "comparison/quantities/reading.h"
 #include "comparison/reference/mdr_case.h"
 #include "mdr/springs/spring_foundation.h"
 
 namespace fretval {
-
-/// Forces and works that drive a locked motion through a cycle of the periodic state, by the transient springs,
-/// extrapolated from two finenesses; SI units.
-struct MdrCycle {
-  double tangential_force_max;   ///< of |F_x|
-  double tangential_force_mean;  ///< what slip has locked in
-  double friction_work;          ///< lost to friction
-  double bulk_work;              ///< lost inside the body
-  double tangential_work;        ///< area of the tangential loop
-  double sliding_force;          ///< mu times the largest normal force
-  double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
-  double force_error;            ///< of tangential_force_max and tangential_force_mean
-  double work_error;             ///< of friction_work and bulk_work
-  double loop_error;             ///< of tangential_work
-  /// Whether tangential_force_max is known. With a dashpot loads jump where springs touch, which few springs and steps
-  /// do not resolve: then it is known only if the case has a tolerance on cycles.
-  bool knows_largest_force = true;
-};
 
 /// Cycles to shakedown by springs of two finenesses, and their error.
 struct SettlingCycles {
@@ -67,7 +50,7 @@ struct MdrAnswer {
   std::optional<double> tangential_amplitude = {};  ///< half of the range of u_x; empty as indentation_max
   /// Under prescribed displacements it is set by mdr_answer_with_cycle alone. Empty: the indenter is worn or at rest
   /// tangentially, there is no cycle of at most a few hundred oscillations, or the springs do not become periodic.
-  std::optional<MdrCycle> cycle = {};
+  std::optional<CycleReadings> cycle = {};
   /// Largest |F_y| and its error by springs, N, for a motion in two directions.
   std::optional<double> transverse_force_max = {};
   double transverse_force_error = 0;

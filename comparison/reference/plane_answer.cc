@@ -8,7 +8,7 @@
 #include "mdr/plane/plane_springs.h"
 #include "mdr/plane/plane_stick.h"
 #include "mdr/rheology/rheology.h"
-#include "mdr/springs/path_data.h"
+#include "mdr/springs/path_history.h"
 #include "mdr/springs/spring_step.h"
 #include "mdr/support/constants.h"
 
@@ -102,35 +102,6 @@ mdr::StickDepths depths_of(const MdrCase& mdr) {
   return mdr::plane_stick_depths(mdr::stuck_element(mdr.body, mu, *mdr.path, per_piece));
 }
 
-/// Forces, energies and depths over the pass or the period. For a pass the work inside the body is left out, as stored
-/// energy cannot be told from losses.
-mdr::PathForces forces_of(const MdrCase& mdr, const mdr::PlaneResponse& response, double largest_indentation) {
-  mdr::PathForces forces{};
-  forces.tangential_force_max = response.force_x_max;
-  forces.tangential_force_mean = response.force_x_mean;
-  forces.friction_work = response.friction_work;
-  forces.largest_indentation = largest_indentation;
-  forces.tangential_amplitude = response.x_amplitude;
-  forces.tangential_way = response.way;
-  forces.first_slip = response.depths.first_slip;
-  forces.shakedown = response.depths.shakedown;
-  if (mdr.is_single_pass()) return forces;
-  forces.tangential_work = response.tangential_work;
-  if (!mdr.body.branch_moduli.empty() || mdr.body.viscosity != 0)
-    forces.bulk_work = std::max(0.0, response.tangential_work + response.normal_work - response.friction_work);
-  return forces;
-}
-
-/// Changes by finer springs and steps.
-mdr::PathForces difference(const mdr::PathForces& fine, const mdr::PathForces& coarse) {
-  using F = mdr::PathForces;
-  F all{};
-  for (const auto value : {&F::tangential_force_max, &F::tangential_force_mean, &F::friction_work, &F::bulk_work,
-                           &F::tangential_work, &F::tangential_amplitude, &F::first_slip, &F::shakedown})
-    all.*value = std::abs(fine.*value - coarse.*value);
-  return all;
-}
-
 }  // namespace
 
 bool moves_in_plane(const MdrCase& mdr) {
@@ -146,11 +117,9 @@ MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, in
   };
   try {
     const auto fine = response(motion, 2), rough = response(coarse, 1);
-    double deepest = 0;
-    for (const auto& position : motion.positions) deepest = std::max(deepest, position.depth);
-    const auto forces = forces_of(mdr, fine, deepest), error = difference(forces, forces_of(mdr, rough, deepest));
-    answer.cycle = cycle_of(mdr, forces, error, normal.normal_force_max, forces.tangential_way);
-    answer.cycle->knows_largest_force = true;  // four times the steps of a motion along x
+    const auto forces = mdr::forces_of(fine, mdr.body, motion),
+               error = mdr::distance(forces, mdr::forces_of(rough, mdr.body, motion));
+    answer.cycle = cycle_along(mdr, forces, error, normal.normal_force_max);
     answer.transverse_force_max = fine.force_y_max;
     answer.transverse_force_error = std::abs(fine.force_y_max - rough.force_y_max);
     if (mdr.has_forces()) {

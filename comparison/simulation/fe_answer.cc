@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "comparison/simulation/fe_cycle.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/cycles_until.h"
 #include "fem/ring_contact/stick_zone/axis_pressure.h"
@@ -155,22 +156,6 @@ std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems
 }
 
 }  // namespace
-
-std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
-                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction) {
-  if (fem.worn_edge || !fem.has_period() || fem.motion.tangential_amplitude() == 0) return std::nullopt;
-  auto cycle =
-      fem::cycle_response(fem.relaxation, fem.friction_coefficient, fem.motion, normal_force_max, normal, friction);
-  const double force = fem.units.force(), work = force * fem.units.depth;
-  auto& uncertain = cycle.uncertainty;
-  for (double* value : {&cycle.tangential_force_max, &cycle.tangential_force_mean, &cycle.sliding_force,
-                        &uncertain.tangential_force_max, &uncertain.tangential_force_mean})
-    *value *= force;
-  for (double* value : {&cycle.friction_work, &cycle.bulk_work, &cycle.tangential_work, &cycle.sliding_work,
-                        &uncertain.friction_work, &uncertain.cycle_work, &uncertain.tangential_work})
-    *value *= work;
-  return cycle;
-}
 
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history) {

@@ -4,13 +4,13 @@
 #include <optional>
 #include <variant>
 
+#include "comparison/quantities/reading.h"
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "comparison/simulation/surface_answer.h"
 #include "fem/history/friction_history.h"
 #include "fem/history/normal_history.h"
 #include "fem/ring_contact/stick_zone/annuli.h"
-#include "fem/ring_contact/stick_zone/cycle_response.h"
 #include "fem/ring_contact/stick_zone/edge_radius.h"
 #include "fem/ring_contact/stick_zone/slip_decay.h"
 #include "fem/ring_contact/stick_zone/stick_depths.h"
@@ -73,7 +73,7 @@ struct FeAnswer {
   std::optional<double> axis_pressure_max;  ///< Pa; empty: infinite
   /// Forces and works of a cycle, SI units. Empty: the indenter is worn or at rest tangentially, the phase is unlocked,
   /// or the cycle only stands for a motion without one.
-  std::optional<fem::CycleResponse> cycle;
+  std::optional<CycleReadings> cycle;
   /// Number of cycles from rest after which nothing slips inside the shakedown radius (see cycles_until), for a locked
   /// motion. Empty: slip ends at once, or the cycles that were computed do not tell.
   std::optional<double> cycles_to_shakedown;
@@ -123,10 +123,6 @@ struct ContactRadius {
 /// of the force. Empty for a worn profile, see FeAnswer.
 std::optional<ContactRadius> read_contact_radius(const fem::ContactProblem& problem, const FemCase& fem,
                                                  const Eigen::VectorXd& profile, const fem::NormalHistory& history);
-
-/// FeAnswer::cycle of a motion; normal_force_max is dimensionless.
-std::optional<fem::CycleResponse> cycle_of(const FemCase& fem, double normal_force_max,
-                                           const fem::NormalHistory& normal, const fem::FrictionHistory& friction);
 
 /// Reads the largest force, pressure and indentation into an answer, and takes over the contact radius.
 void read_normal_response(const ContactProblems& problems, const FemCase& fem,

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparison/simulation/bodies/surface_store.h"
+#include "comparison/simulation/fe_cycle.h"
 #include "comparison/simulation/normal_part.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/motion/running_minimum.h"
@@ -101,28 +102,6 @@ double amplitude_of(const fem::SurfaceHistory& history) {
   return (fem::largest_of_period(along, history.pieces) + fem::largest_of_period(-along, history.pieces)) / 2;
 }
 
-fem::CycleResponse response_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {
-  const double force = fem.units.force(), work = force * fem.units.depth;
-  const Eigen::VectorXd along = history.forces.row(0);
-  fem::CycleResponse cycle{};
-  cycle.tangential_force_max = fem::largest_magnitude_of_period(along, history.pieces) * force;
-  cycle.tangential_force_mean = along.mean() * force;
-  cycle.friction_work = history.dissipated.back() * work;
-  if (fem.motion.is_single_pass()) return cycle;
-  cycle.tangential_work = history.tangential_work * work;
-  if (fem.relaxation.has_memory()) cycle.bulk_work = cycle.tangential_work + normal_work * work - cycle.friction_work;
-  return cycle;
-}
-
-/// Adds to forces and works of the ring contact the difference of those on rings and angles from those with the same
-/// traction at all angles.
-void add_change(const fem::CycleResponse& full, const fem::CycleResponse& of_rings, fem::CycleResponse& cycle) {
-  for (const auto value :
-       {&fem::CycleResponse::tangential_force_max, &fem::CycleResponse::tangential_force_mean,
-        &fem::CycleResponse::friction_work, &fem::CycleResponse::bulk_work, &fem::CycleResponse::tangential_work})
-    cycle.*value += full.*value - of_rings.*value;
-}
-
 std::optional<double> radius_of(const PlaneZone& zone) {
   return zone.radius > 0 ? std::optional(zone.radius) : std::nullopt;
 }
@@ -158,7 +137,7 @@ void read_surface(const fem::NormalHistory& normal, const FemCase& fem, FeAnswer
       fem::largest_magnitude_of_period(history.forces.row(1), history.pieces) * fem.units.force();
   surface.torque_max = history.forces.row(2).cwiseAbs().maxCoeff() * fem.units.force() * length;
   const double pressing = fem.full.coupled ? history.normal_work : fem::normal_work(fem.motion, normal);
-  answer.cycle = response_of(fem, history, pressing);
+  answer.cycle = cycle_of(fem, history, pressing);
   if (fem.motion.tangential_force && fem.has_period())
     answer.tangential_amplitude = amplitude_of(history) * fem.units.depth;
 }
@@ -178,7 +157,7 @@ void correct_by_rings(const FeAnswer& ring, const fem::SurfaceHistory& of_rings,
   if (!ring.cycle) return;
   auto cycle = *ring.cycle;
   const double pressing = fem::normal_work(fem.motion, ring.normal);
-  add_change(*answer.cycle, response_of(fem, of_rings, pressing), cycle);
+  add_change(cycle_of(fem, of_rings, pressing), *answer.cycle, cycle);
   answer.cycle = cycle;
 }
 

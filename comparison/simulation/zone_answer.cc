@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparison/simulation/fe_cycle.h"
 #include "fem/motion/running_minimum.h"
 #include "fem/ring_contact/static_contact.h"
 

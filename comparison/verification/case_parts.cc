@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "comparison/case_file/entry_lookup.h"
+
 namespace fretval {
 namespace {
 
@@ -57,11 +59,10 @@ Entries branches(const std::string& rheology, double modulus, const std::vector<
 }
 
 Entries with_section(const Entries& entries, const Entries& section) {
-  const std::string& some = section.begin()->first;
-  const std::string name = some.substr(0, some.find(" / "));
+  const auto name = place_of(section.begin()->first).section;
   Entries rest = section;
   for (const auto& entry : entries)
-    if (entry.first.rfind(name + " / ", 0) != 0) rest.insert(entry);
+    if (place_of(entry.first).section != name) rest.insert(entry);
   return rest;
 }
 

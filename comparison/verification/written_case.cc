@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "comparison/case_file/case_file.h"
+#include "comparison/case_file/entry_lookup.h"
 #include "comparison/reference/mdr_case.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/stick/shakedown_amplitude.h"
@@ -37,8 +38,8 @@ Entries with_stick_ratio(const Entries& entries, double stick_ratio, double fact
 std::string case_text(const Entries& entries) {
   std::string text;
   for (const auto& [place, value] : entries) {
-    const auto slash = place.find(" / ");
-    text += fmt::format("subsection {}\n  set {} = {}\nend\n", place.substr(0, slash), place.substr(slash + 3), value);
+    const auto [section, entry] = place_of(place);
+    text += fmt::format("subsection {}\n  set {} = {}\nend\n", section, entry, value);
   }
   return text;
 }

@@ -16,18 +16,17 @@ bool is_far(const dealii::TriaAccessor<1, 2, 2>& face) {
   return face.at_boundary() && face.boundary_id() == static_cast<dealii::types::boundary_id>(BoundaryPart::far);
 }
 
-/// Amplitudes of a point force in a half-space z <= 0: displacement (U, V, W) times 4 pi G R, and the parts of the
+/// Amplitudes of a point force in a half-space z <= 0: displacement (U, W) times 4 pi G R, and the parts of the
 /// stress that act on planes along the angle times 2 pi R^2. s and c: sine and cosine of the angle to the axis, which
 /// points into the body. compressible: 1 - 2 nu.
 struct PointForce {
-  double u, v, w;
+  double u, w;
   double rr, rz, zz, rt;
 };
 
 /// Boussinesq's point force, along z, upwards.
 PointForce boussinesq(double s, double c, double compressible) {
   return {-s * c + compressible * s / (1 + c),
-          0,
           1 + compressible + c * c,
           3 * s * s * c - compressible / (1 + c),
           -3 * s * c * c,
@@ -39,7 +38,6 @@ PointForce boussinesq(double s, double c, double compressible) {
 PointForce cerruti(double s, double c, double compressible) {
   const double extra = compressible * s / ((1 + c) * (1 + c));
   return {1 + s * s + compressible * c / (1 + c),
-          -1 - compressible / (1 + c),
           -s * c - compressible * s / (1 + c),
           -3 * s * s * s + extra,
           3 * s * s * c,

@@ -254,4 +254,22 @@ PlaneResponse plane_response(const Profile& profile, const PronyBody& body, doub
           {springs.first_slip(), std::max(springs.first_slip(), plane_stick_depths(course.stuck).shakedown)}};
 }
 
+PathForces forces_of(const PlaneResponse& response, const PronyBody& body, const PlaneMotion& motion) {
+  PathForces forces{};
+  for (const auto& position : motion.positions)
+    forces.largest_indentation = std::max(forces.largest_indentation, position.depth);
+  forces.tangential_force_max = response.force_x_max;
+  forces.tangential_force_mean = response.force_x_mean;
+  forces.friction_work = response.friction_work;
+  forces.tangential_amplitude = response.x_amplitude;
+  forces.tangential_way = response.way;
+  forces.first_slip = response.depths.first_slip;
+  forces.shakedown = response.depths.shakedown;
+  if (!motion.repeats) return forces;
+  forces.tangential_work = response.tangential_work;
+  if (!body.branch_moduli.empty() || body.viscosity != 0)
+    forces.bulk_work = std::max(0.0, response.tangential_work + response.normal_work - response.friction_work);
+  return forces;
+}
+
 }  // namespace fretval::mdr

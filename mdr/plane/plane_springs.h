@@ -7,6 +7,7 @@
 #include "mdr/plane/plane_stick.h"
 #include "mdr/profiles/profile.h"
 #include "mdr/rheology/prony_body.h"
+#include "mdr/springs/path_data.h"
 
 namespace fretval::mdr {
 
@@ -53,5 +54,9 @@ struct PlaneResponse {
 /// positive. Throws std::invalid_argument, and GrossSlip for a force that friction does not bear.
 PlaneResponse plane_response(const Profile& profile, const PronyBody& body, double mu, const PlaneMotion& motion,
                              Eigen::Index n_springs, double periodicity = 1e-7);
+
+/// Forces, energies and depths of a response to a motion that prescribes depths. For a pass the works of the tangential
+/// force and of the body are left out, as stored energy cannot be told from losses.
+PathForces forces_of(const PlaneResponse& response, const PronyBody& body, const PlaneMotion& motion);
 
 }  // namespace fretval::mdr

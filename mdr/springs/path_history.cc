@@ -1,11 +1,29 @@
 #include "mdr/springs/path_history.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "mdr/support/checks.h"
 
 namespace fretval::mdr {
+namespace {
+
+constexpr std::array parts{&PathForces::normal_force_max,
+                           &PathForces::normal_force_min,
+                           &PathForces::axis_pressure_max,
+                           &PathForces::tangential_force_max,
+                           &PathForces::tangential_force_mean,
+                           &PathForces::friction_work,
+                           &PathForces::bulk_work,
+                           &PathForces::tangential_work,
+                           &PathForces::largest_indentation,
+                           &PathForces::tangential_amplitude,
+                           &PathForces::tangential_way,
+                           &PathForces::first_slip,
+                           &PathForces::shakedown};
+
+}  // namespace
 
 PathForces forces_of(const SpringHistory& history) {
   const auto &time = history.time, &pull = history.tangential_force, &normal = history.normal_force;
@@ -34,15 +52,14 @@ PathForces forces_of(const SpringHistory& history) {
 }
 
 void extrapolate(const PathForces& coarse, SteppedPathForces& stepped) {
-  for (const auto part : {&PathForces::normal_force_max, &PathForces::normal_force_min, &PathForces::axis_pressure_max,
-                          &PathForces::tangential_force_max, &PathForces::tangential_force_mean,
-                          &PathForces::friction_work, &PathForces::bulk_work, &PathForces::tangential_work,
-                          &PathForces::largest_indentation, &PathForces::tangential_amplitude,
-                          &PathForces::tangential_way, &PathForces::first_slip, &PathForces::shakedown}) {
-    const double difference = stepped.forces.*part - coarse.*part;
-    stepped.forces.*part += difference / 3;
-    stepped.error.*part = std::abs(difference);
-  }
+  stepped.error = distance(stepped.forces, coarse);
+  for (const auto part : parts) stepped.forces.*part += (stepped.forces.*part - coarse.*part) / 3;
+}
+
+PathForces distance(const PathForces& one, const PathForces& other) {
+  PathForces distance{};
+  for (const auto part : parts) distance.*part = std::abs(one.*part - other.*part);
+  return distance;
 }
 
 void validate_along_path(const SampledPath& path, const PathFineness& fineness) {

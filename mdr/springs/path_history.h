@@ -241,6 +241,9 @@ PathForces forces_of(const SpringHistory& history);
 /// error to their difference.
 void extrapolate(const PathForces& coarse, SteppedPathForces& stepped);
 
+/// The absolute difference of each number.
+PathForces distance(const PathForces& one, const PathForces& other);
+
 /// path_forces() for springs of any kind. course_of(fineness): the PathCourse of these springs.
 template <class CourseOf>
 SteppedPathForces extrapolated_path_forces(const PronyBody& body, const SampledPath& path, PathFineness coarse,

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "comparison/reference/mdr_readings.h"
+#include "tests/comparison/some_cycle.h"
 
 namespace fretval {
 namespace {
@@ -60,7 +61,7 @@ TEST(FeReadings, SayWhyThereIsNoValue) {
 
 TEST(FeReadings, OfACycleHaveWhatReadingTheEdgesLeavesOpen) {
   FeAnswer fe;
-  fe.cycle = fem::CycleResponse{0.4, 0.1, 2e-6, 1e-6, 2e-6, 2, 1e-4, {0.01, 0.02, 1e-8, 2e-8, 4e-8}};
+  fe.cycle = some_cycle({0.4, 0.1, 2e-6, 1e-6, 2e-6, 0.01, 1e-8, 2e-8, 4e-8});
   const auto readings = readings_of(fe, some_units);
   EXPECT_EQ(readings.at(Quantity::cycle_work).value, 3e-6);
   EXPECT_NEAR(readings.at(Quantity::bulk_work).uncertainty.value(), 3e-8, 1e-20);

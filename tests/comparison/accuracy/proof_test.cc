@@ -142,7 +142,7 @@ TEST(Proof, RefinesForACycleWithATolerance) {
                over_sliding = 2 / x * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - (1 - std::pow(1 - x, 1.5));
   const auto bar_of = [&](const ProvedAnswer& answer) {
     const double bar = answer.budget.at(Quantity::friction_work).total();
-    EXPECT_NEAR(answer.fe.cycle->friction_work / answer.fe.cycle->sliding_work, over_sliding, bar);
+    EXPECT_NEAR(answer.fe.cycle->value(Quantity::friction_work) / answer.fe.cycle->sliding_work, over_sliding, bar);
     return bar;
   };
   EXPECT_GT(bar_of(proved_to({})), 1e-4);

@@ -7,6 +7,7 @@
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/reference/mdr_readings.h"
+#include "tests/comparison/some_cycle.h"
 
 namespace fretval {
 namespace {
@@ -182,8 +183,8 @@ TEST(Comparison, IsNoBetterThanTheWorstOfWhatWasAskedFor) {
 TEST(Comparison, OfACycleIsOverWhatSlidingWouldCost) {
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0.1, 2e-6, 1e-6, 2e-6, 1, 1e-4, 0, 0, 0};
-  fe.cycle = fem::CycleResponse{0.4002, 0.1005, 2.05e-6, 0.951e-6, 2.002e-6, 1, 1e-4};
+  mdr.cycle = some_cycle({0.4, 0.1, 2e-6, 1e-6, 2e-6});
+  fe.cycle = some_cycle({0.4002, 0.1005, 2.05e-6, 0.951e-6, 2.002e-6});
   mdr.slip_decay = 0.5;
   fe.slip_decay = fem::DecayFactor{0.501, 0};
   const auto comparison = compare(mdr, fe, a, tolerances_of(1e-3));
@@ -246,8 +247,8 @@ TEST(Comparison, OfThePressureOnTheAxisIsRelative) {
 TEST(Comparison, OfWhatIsNotAskedForIsToldWithItsBar) {
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0, 2e-6, 0, 2e-6, 1, 1e-4, 0, 0, 0};
-  fe.cycle = fem::CycleResponse{0.402, 0, 2e-6, 0, 2e-6, 1, 1e-4};
+  mdr.cycle = some_cycle({0.4, 0, 2e-6, 0, 2e-6});
+  fe.cycle = some_cycle({0.402, 0, 2e-6, 0, 2e-6});
   const auto with_bar = [&](double width) {
     auto budget = bars_of(fe);
     budget[Quantity::tangential_force_max] = {{{ErrorSource::rings, width, std::nullopt}}};
@@ -265,12 +266,14 @@ TEST(Comparison, OfWhatIsNotAskedForIsToldWithItsBar) {
 TEST(Comparison, OfALargestForceNeedsSpringsThatKnowIt) {
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0, 2e-6, 0, 2e-6, 1, 1e-4, 0, 0, 0, false};
-  fe.cycle = fem::CycleResponse{0.402, 0, 2e-6, 0, 2e-6, 1, 1e-4};
+  const auto known = some_cycle({0.4, 0, 2e-6, 0, 2e-6});
+  mdr.cycle = known;
+  mdr.cycle->readings.erase(Quantity::tangential_force_max);
+  fe.cycle = some_cycle({0.402, 0, 2e-6, 0, 2e-6});
   const auto without = compare(mdr, fe, a, tolerances_of(1e-3));
   EXPECT_EQ(without.count(Quantity::tangential_force_max), 0U);
   EXPECT_EQ(without.count(Quantity::tangential_force_mean), 1U);
-  mdr.cycle->knows_largest_force = true;
+  mdr.cycle = known;
   EXPECT_EQ(compare(mdr, fe, a, tolerances_of(1e-3)).count(Quantity::tangential_force_max), 1U);
 }
 
@@ -288,8 +291,8 @@ TEST(Comparison, HoldsACycleToItsTolerance) {
 
   auto mdr = mdr_with(0.5 * a);
   auto fe = fe_with(0.5 * a);
-  mdr.cycle = MdrCycle{0.4, 0, 2e-6, 0, 2e-6, 1, 1e-4, 4e-4, 0, 0};
-  fe.cycle = fem::CycleResponse{0.4016, 0, 2e-6, 0, 2e-6, 1, 1e-4};
+  mdr.cycle = some_cycle({0.4, 0, 2e-6, 0, 2e-6, 4e-4});
+  fe.cycle = some_cycle({0.4016, 0, 2e-6, 0, 2e-6});
   const auto with_bar = [&](double width) {
     const ErrorBudget budget{{Quantity::tangential_force_max, {{{ErrorSource::rings, width, std::nullopt}}}}};
     return compare(mdr, fe, a, tolerances, budget).at(Quantity::tangential_force_max);

@@ -77,7 +77,7 @@ TEST(WearProof, WhereNoSlipIsProvedNothingIsCompared) {
     const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
     ProvedAnswer unworn;
     unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
-    const double work = unworn.fe.cycle.value().friction_work / unworn.fe.cycle->sliding_work;
+    const double work = unworn.fe.cycle.value().value(Quantity::friction_work) / unworn.fe.cycle->sliding_work;
     unworn.budget[Quantity::friction_work].add(ErrorSource::rings, friction_bar * work);
     return prove_wear(prepared, mdr, unworn, Proof::none, shared_bodies());
   };

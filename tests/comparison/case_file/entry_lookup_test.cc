@@ -19,6 +19,15 @@ TEST(EntryLookup, EntriesBelongToTheirSection) {
                {"Indenter: Shape, Radius, ", "; Friction: Coefficient, Law; ", "Sweep: Entry, Values"});
 }
 
+TEST(EntryLookup, TakesPlacesApart) {
+  const auto [section, entry] = place_of("Body / Poisson / ratio");
+  EXPECT_EQ(section, "Body");
+  EXPECT_EQ(entry, "Poisson / ratio");
+  EXPECT_EQ(place_of("Body").section, "Body");
+  EXPECT_EQ(find_entry("Body"), nullptr);
+  EXPECT_EQ(find_entry("Friction / Coefficient"), find_entry("Friction", "Coefficient"));
+}
+
 TEST(EntryLookup, MeasuresWhatTheEntryIsAbout) {
   EXPECT_EQ(find_entry("Friction", "Coefficient")->dimensions, std::vector{Dimension::number});
   EXPECT_EQ(find_entry("Wear", "Coefficient")->dimensions, std::vector{Dimension::wear_rate});

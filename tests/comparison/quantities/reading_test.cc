@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "tests/comparison/some_cycle.h"
+
 namespace fretval {
 namespace {
 
@@ -31,6 +33,20 @@ TEST(Reading, IsUncertainOverItsScaleWhereItIsCompared) {
                           {Quantity::friction_work, {4, 1, "", false}}};
   EXPECT_EQ(uncertainties_of(readings, some_scales),
             (Quantities{{Quantity::normal_force_max, 0.25}, {Quantity::stick_radius_shakedown, 0.5}}));
+}
+
+// Without memory friction takes all that is lost, and the other works say nothing more.
+TEST(Reading, OfACycleHasWhatIsLostAltogether) {
+  auto cycle = some_cycle({3, 0, 2, 1, 2.5});
+  Readings readings;
+  add_cycle(cycle, readings);
+  EXPECT_EQ(readings.at(Quantity::cycle_work).value, 3);
+  EXPECT_TRUE(readings.at(Quantity::tangential_work).is_compared);
+  cycle.readings.at(Quantity::bulk_work).value = 0;
+  add_cycle(cycle, readings);
+  for (const auto& [quantity, reading] : readings)
+    EXPECT_EQ(reading.is_compared, !traits_of(quantity).of_periodic_state) << name_of(quantity);
+  EXPECT_EQ(cycle.value(Quantity::slip_decay), 0) << "it has none";
 }
 
 TEST(Reading, HasErrorsWhereBothHaveIt) {

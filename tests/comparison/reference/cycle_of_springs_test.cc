@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "mdr/springs/path_data.h"
 #include "tests/comparison/suite_case.h"
 
@@ -22,6 +24,34 @@ TEST(CycleOfSprings, KnowsWhatSlidingWouldCost) {
   const auto cycle = cycle_of_springs(mdr_case(scene), {}, force).value();
   EXPECT_DOUBLE_EQ(cycle.sliding_force, scene.friction_coefficient * force);
   EXPECT_DOUBLE_EQ(cycle.sliding_work, cycle.sliding_force * 4 * scene.motion.tangential_amplitude);
+}
+
+// An error of 0 is that of a closed form. The largest force is left out where few springs do not know it.
+TEST(CycleOfSprings, HasTheErrorsOfSprings) {
+  auto mdr = mdr_case(suite_case("parabola-elastic-steady", 1e-2));
+  mdr::SteppedForcedResponse stepped{};
+  stepped.error.tangential_force_max = 1;
+  stepped.error.tangential_force_mean = 2;
+  stepped.error.tangential_work = 3;
+  auto cycle = cycle_of_springs(mdr, stepped, 2).value();
+  EXPECT_EQ(cycle.uncertainty(Quantity::tangential_force_max), 2);
+  EXPECT_FALSE(cycle.readings.at(Quantity::friction_work).uncertainty);
+  EXPECT_EQ(errors_json(cycle).dump(), R"({"force":2.0,"work":0.0,"loop":3.0})");
+  mdr.body.viscosity = 1;
+  leave_out_unknown_force(mdr, cycle);
+  EXPECT_EQ(cycle.readings.count(Quantity::tangential_force_max), 0U);
+}
+
+// In a pass nobody tells what the body has lost from what it stores.
+TEST(CycleOfSprings, OfAPathHasWorksIfItRepeats) {
+  auto mdr = mdr_case(suite_case("parabola-elastic-steady", 1e-2));
+  mdr::PathForces forces{};
+  forces.bulk_work = forces.tangential_work = forces.tangential_way = 3;
+  EXPECT_EQ(cycle_along(mdr, forces, {}, 2).value(Quantity::bulk_work), 3);
+  mdr.motion_kind = MotionKind::pass;
+  const auto pass = cycle_along(mdr, forces, {}, 2);
+  EXPECT_EQ(pass.value(Quantity::bulk_work) + pass.value(Quantity::tangential_work), 0);
+  EXPECT_DOUBLE_EQ(pass.sliding_work, 3 * pass.sliding_force);
 }
 
 // The error that a force leads to is taken over what it leads to, the largest of all counts.

@@ -35,7 +35,9 @@ TEST(LayerAnswer, OfAThickLayerIsThatOfAHalfSpace) {
     EXPECT_NEAR(layer.contact_radius_max.value() / half_space.contact_radius_max.value(), 1, 2e-3);
     EXPECT_NEAR(layer.normal_force_max.value() / half_space.normal_force_max.value(), 1, 4e-3);
     EXPECT_NEAR(layer.stick_radius_shakedown.value() / half_space.stick_radius_shakedown.value(), 1, 4e-3);
-    EXPECT_NEAR(layer.cycle->tangential_force_max / half_space.cycle->tangential_force_max, 1, 1e-2);
+    EXPECT_NEAR(
+        layer.cycle->value(Quantity::tangential_force_max) / half_space.cycle->value(Quantity::tangential_force_max), 1,
+        1e-2);
   }
 }
 
@@ -105,7 +107,9 @@ TEST(LayerAnswer, OfAPushIsThatOfTheOscillationThatBeginsWithIt) {
   EXPECT_TRUE(is_pass(pushed.motion_kind));
   EXPECT_NEAR(pushed.contact_radius_max.value() / oscillates.contact_radius_max.value(), 1, 1e-6);
   EXPECT_NEAR(pushed.stick_radius_first_slip.value() / oscillates.stick_radius_first_slip.value(), 1, 2e-3);
-  EXPECT_NEAR(pushed.cycle->tangential_force_max / oscillates.cycle->tangential_force_max, 1, 2e-3);
+  EXPECT_NEAR(
+      pushed.cycle->value(Quantity::tangential_force_max) / oscillates.cycle->value(Quantity::tangential_force_max), 1,
+      2e-3);
 }
 
 TEST(LayerAnswer, IsRefusedByNameForWhatItDoesNotCompute) {

@@ -67,12 +67,12 @@ TEST(MdrAnswer, OfACycleIsMindlinAndDeresiewiczs) {
   const auto cycle = answer_with_cycle(scene).cycle.value();
   const double work =
       mu * force * sliding * (8 * (x - 0.4 * (1 - std::pow(1 - x, 2.5))) - 4 * x * (1 - std::pow(1 - x, 1.5)));
-  EXPECT_NEAR(cycle.tangential_force_max / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
-  EXPECT_NEAR(cycle.friction_work / work, 1, 2e-3);
-  EXPECT_LE(std::abs(cycle.friction_work - work), cycle.work_error);
-  EXPECT_EQ(cycle.bulk_work, 0);
-  EXPECT_NEAR(cycle.tangential_work / cycle.friction_work, 1, 1e-3);
-  EXPECT_NEAR(cycle.tangential_force_mean, 0, 1e-9 * mu * force);
+  EXPECT_NEAR(cycle.value(Quantity::tangential_force_max) / (mu * force * (1 - std::pow(1 - x, 1.5))), 1, 1e-4);
+  EXPECT_NEAR(cycle.value(Quantity::friction_work) / work, 1, 2e-3);
+  EXPECT_LE(std::abs(cycle.value(Quantity::friction_work) - work), cycle.uncertainty(Quantity::friction_work));
+  EXPECT_EQ(cycle.value(Quantity::bulk_work), 0);
+  EXPECT_NEAR(cycle.value(Quantity::tangential_work) / cycle.value(Quantity::friction_work), 1, 1e-3);
+  EXPECT_NEAR(cycle.value(Quantity::tangential_force_mean), 0, 1e-9 * mu * force);
   EXPECT_NEAR(cycle.sliding_work, 4 * mu * force * x * sliding, 1e-6 * mu * force * sliding);
 }
 
@@ -81,14 +81,17 @@ TEST(MdrAnswer, HasSpringsForTheToleranceOfACycle) {
   scene.elastomer.rheology = Case::Rheology::kelvin_voigt;
   scene.elastomer.viscosity = 5e4;
   const auto usual = answer_with_cycle(scene).cycle.value();
-  EXPECT_FALSE(usual.knows_largest_force);
-  scene.cycle_tolerance = usual.loop_error / usual.tangential_work;
+  EXPECT_EQ(usual.readings.count(Quantity::tangential_force_max), 0U);
+  scene.cycle_tolerance = usual.uncertainty(Quantity::tangential_work) / usual.value(Quantity::tangential_work);
   const auto fine = answer_with_cycle(scene).cycle.value();
-  EXPECT_TRUE(fine.knows_largest_force);
-  EXPECT_LE(fine.loop_error / fine.tangential_work, *scene.cycle_tolerance / 4);
-  EXPECT_LE(fine.work_error / fine.bulk_work, *scene.cycle_tolerance / 4);
-  EXPECT_LE(fine.force_error / fine.tangential_force_max, *scene.cycle_tolerance / 4);
-  EXPECT_LE(std::abs(fine.tangential_work - usual.tangential_work), usual.loop_error);
+  EXPECT_EQ(fine.readings.count(Quantity::tangential_force_max), 1U);
+  EXPECT_LE(fine.uncertainty(Quantity::tangential_work) / fine.value(Quantity::tangential_work),
+            *scene.cycle_tolerance / 4);
+  EXPECT_LE(fine.uncertainty(Quantity::friction_work) / fine.value(Quantity::bulk_work), *scene.cycle_tolerance / 4);
+  EXPECT_LE(fine.uncertainty(Quantity::tangential_force_mean) / fine.value(Quantity::tangential_force_max),
+            *scene.cycle_tolerance / 4);
+  EXPECT_LE(std::abs(fine.value(Quantity::tangential_work) - usual.value(Quantity::tangential_work)),
+            usual.uncertainty(Quantity::tangential_work));
 }
 
 /// The elastic case along a path of forces.
@@ -135,10 +138,10 @@ TEST(MdrAnswer, OfABodyWithADashpotHasWhatIsLost) {
   const double rate = 2 * std::acos(-1.0) * scene.motion.normal_frequency, depth = scene.motion.indentation,
                amplitude = scene.motion.normal_amplitude, radius = std::sqrt(scene.indenter.radius * depth),
                pressed = 8 * std::acos(-1.0) * rate * 5e4 * radius * amplitude * amplitude;
-  EXPECT_GT(answer.cycle->bulk_work, 0.8 * pressed);
-  EXPECT_LT(answer.cycle->bulk_work, 1.5 * pressed);
-  EXPECT_GT(answer.cycle->tangential_work, answer.cycle->friction_work);
-  EXPECT_LT(answer.cycle->work_error, 0.02 * answer.cycle->bulk_work);
+  EXPECT_GT(answer.cycle->value(Quantity::bulk_work), 0.8 * pressed);
+  EXPECT_LT(answer.cycle->value(Quantity::bulk_work), 1.5 * pressed);
+  EXPECT_GT(answer.cycle->value(Quantity::tangential_work), answer.cycle->value(Quantity::friction_work));
+  EXPECT_LT(answer.cycle->uncertainty(Quantity::friction_work), 0.02 * answer.cycle->value(Quantity::bulk_work));
 }
 
 // A second harmonic of next to nothing: springs that are stepped, held against the closed form of one.

@@ -31,8 +31,10 @@ TEST(ZoneAnswer, OfAWholeParabolaIsTheSameInAnyOrder) {
   EXPECT_NEAR(any.contact_radius_max.value() / in_order.contact_radius_max.value(), 1, 1e-3);
   EXPECT_NEAR(any.stick_radius_shakedown.value() / in_order.stick_radius_shakedown.value(), 1, 5e-3);
   EXPECT_NEAR(any.stick_radius_first_slip.value() / in_order.stick_radius_first_slip.value(), 1, 5e-3);
-  EXPECT_NEAR(any.cycle->tangential_force_max / in_order.cycle->tangential_force_max, 1, 5e-3);
-  EXPECT_NEAR(any.cycle->friction_work / in_order.cycle->friction_work, 1, 0.1);  // a few rings slip
+  EXPECT_NEAR(any.cycle->value(Quantity::tangential_force_max) / in_order.cycle->value(Quantity::tangential_force_max),
+              1, 5e-3);
+  EXPECT_NEAR(any.cycle->value(Quantity::friction_work) / in_order.cycle->value(Quantity::friction_work), 1,
+              0.1);  // a few rings slip
   ASSERT_EQ(any.as<ZoneAnswer>()->contact.size(), 1U);
   EXPECT_EQ(any.as<ZoneAnswer>()->contact_uncertainty, 0);
 }

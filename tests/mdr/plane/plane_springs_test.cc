@@ -142,6 +142,19 @@ TEST(PlaneSprings, LoseInTheBodyWhatFrictionDoesNot) {
   EXPECT_GT(response.tangential_work + response.normal_work, response.friction_work);
 }
 
+TEST(PlaneSprings, HaveForcesAndWorksOfAPath) {
+  auto motion = ellipse(2e-5, 1e-5, 0.3, 720);
+  const PlaneResponse response{5, 4, 3, 2, 6, 1, 0.5, 1e-5, {0.1, 0.2}};
+  const auto forces = forces_of(response, prony(G, {G}, {0.2}, 0), motion);
+  EXPECT_EQ(forces.tangential_force_max, 5);
+  EXPECT_EQ(forces.tangential_force_mean, 3);
+  EXPECT_EQ(forces.bulk_work, 5);
+  EXPECT_EQ(forces.largest_indentation, d);
+  EXPECT_EQ(forces_of(response, elastic, motion).bulk_work, 0);
+  motion.repeats = false;
+  EXPECT_EQ(forces_of(response, elastic, motion).tangential_work, 0);
+}
+
 // Element depths of a circle: d0 - 2 u/(3 mu), at its first step on the circle and ever after.
 TEST(PlaneSprings, KnowWhereElementsStick) {
   const double u = 3e-5;
