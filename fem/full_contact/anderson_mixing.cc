@@ -1,7 +1,5 @@
 #include "fem/full_contact/anderson_mixing.h"
 
-#include <utility>
-
 namespace fretval::fem {
 
 Eigen::VectorXd AndersonMixing::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image) {

@@ -40,7 +40,7 @@ IndenterMotion indenter_motion(const Motion& motion);
 /// error contracts in each alternation by the square of the coupling times the friction coefficient: over a half-space
 /// ((1 - 2 nu)/(2 - 2 nu)) mu at most, and faster by AndersonMixing of the displacements by tractions. It begins with
 /// the tractions and pressures that are expected by the cycle before (ExpectedCourse). The normal natural residual of
-/// the pair is computed at its end, over the largest pressure, and that of friction as in solve_friction. Points that
+/// the pair is computed at its end, over the largest pressure, and that of friction as in FrictionSolver. Points that
 /// are pressed in the step before are driven by the indenter, exactly; the others move at a constant rate, so that
 /// lifting and touching are of second order (without the turns inside a step of fem/ring_contact/ring_courses.h).
 class CoupledContact {

@@ -227,11 +227,6 @@ double friction_remainder(const SurfaceOperator& op, const MatrixXd& residual, c
   return (onto_discs(onto, limit) - traction).lpNorm<Eigen::Infinity>();
 }
 
-FrictionSolution solve_friction(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
-                                const MatrixXd& guess, double enough) {
-  return FrictionSolver(op).solve(pull, limit, guess, enough);
-}
-
 FrictionSolution FrictionSolver::solve(const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess,
                                        double enough) {
   require_fit(*op_, pull, limit, guess);

@@ -37,11 +37,9 @@ struct FrictionSolution {
 /// diagonal of K, over the largest limit. Throws SolverError where it neither comes below `enough` nor, after the last
 /// iteration, below 1e-10, and std::invalid_argument for sizes that do not fit and limits that are negative or no
 /// numbers.
-FrictionSolution solve_friction(const SurfaceOperator& op, const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit,
-                                const Eigen::MatrixXd& guess, double enough = enough_of_contact);
-
-/// The same for one problem after another on one operator, such as those of a step: what a problem was preconditioned
-/// with serves the next one, as long as that takes few applications.
+///
+/// One solver serves one problem after another on an operator, such as those of a step: what a problem was
+/// preconditioned with serves the next one, as long as that takes few applications.
 class FrictionSolver {
  public:
   /// op: must outlive this.
@@ -64,7 +62,7 @@ class FrictionSolver {
 /// The tractions, each replaced by the nearest one within its limit where it exceeds that.
 Eigen::MatrixXd onto_discs(Eigen::MatrixXd traction, const Eigen::MatrixXd& limit);
 
-/// The natural residual of solve_friction() for any tractions, in their unit. residual: q - K t.
+/// The natural residual of FrictionSolver for any tractions, in their unit. residual: q - K t.
 double friction_remainder(const SurfaceOperator& op, const Eigen::MatrixXd& residual, const Eigen::MatrixXd& limit,
                           const Eigen::MatrixXd& traction);
 

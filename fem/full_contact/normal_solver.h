@@ -21,7 +21,7 @@ struct PressureSolution {
 /// place of a matrix.)
 ///
 /// Method: primal-dual active set, in which all points whose pressure or gap has the wrong sign change at once, with
-/// conjugate gradients for the pressures and the safeguards of solve_friction(). guess: any pressures to start from.
+/// conjugate gradients for the pressures and the safeguards of FrictionSolver. guess: any pressures to start from.
 /// Throws SolverError where the natural residual max |p - max(0, p + rho (q - K p))| does not come below `enough` of
 /// the largest pressure, and std::invalid_argument for sizes that do not fit and a q that is not finite.
 PressureSolution solve_pressure(const SurfaceOperator& op, const Eigen::MatrixXd& target, const Eigen::MatrixXd& guess);

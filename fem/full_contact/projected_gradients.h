@@ -17,7 +17,7 @@ double largest_eigenvalue(const SurfaceOperator& op);
 // hundreds to thousands of applications where Newton's method takes tens. They start from zero and end when an iterate
 // moves by less than 1e-12 of the largest traction or pressure, or after 20000 iterations.
 
-/// Tractions of the problem of solve_friction().
+/// Tractions of the problem of FrictionSolver.
 Eigen::MatrixXd friction_by_projected_gradients(const SurfaceOperator& op, double eigenvalue,
                                                 const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit);
 

@@ -36,7 +36,7 @@ TEST(FrictionSolver, SolvesOneProblemAfterAnotherAsEachByItself) {
     MatrixXd limit = pressed / push;
     limit.bottomRows(static_cast<Index>(push * static_cast<double>(op.n_rings()))).setZero();
     const MatrixXd pull = pull_by(op, push, 0.3);
-    const auto found = solver.solve(pull, limit, nothing), alone = solve_friction(op, pull, limit, nothing);
+    const auto found = solver.solve(pull, limit, nothing), alone = FrictionSolver(op).solve(pull, limit, nothing);
     EXPECT_LT((found.traction - alone.traction).norm(), 1e-9 * alone.traction.norm()) << push;
   }
 }
@@ -48,7 +48,7 @@ TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
   for (Index j = 0; j < 6; ++j) limit.col(j) *= 1 + 0.3 * std::cos(op.grid().angles[j] - 1);
   MatrixXd pull = pull_by(op, 0.5, 0.2);
   pull.col(2) += 0.3 * op.areas();
-  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 12));
+  const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 12));
   EXPECT_LT(found.remainder, 1e-11);
   const MatrixXd other = friction_by_projected_gradients(op, largest_eigenvalue(op), pull, limit);
   EXPECT_LT((found.traction - other).norm(), 1e-7 * found.traction.norm());
@@ -57,7 +57,7 @@ TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
 TEST(FrictionSolver, FulfilsCoulombsLawAtEveryPoint) {
   const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
   const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
-  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   MatrixXd image;
   op.apply(found.traction, image);
   EXPECT_LT((pull - image - found.residual).norm(), 1e-13 * pull.norm());
@@ -86,20 +86,20 @@ TEST(FrictionSolver, PushesAHalfSpaceWithoutPoissonsEffectAsCattaneoSays) {
   const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
   const double c = 0.6;
   const MatrixXd limit = hertz_pressure(surface).replicate(1, 8), pull = pull_by(op, cattaneo_push(c, 0), 0);
-  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   const double force = (op.areas().transpose() * found.traction.leftCols(8)).sum();
   EXPECT_NEAR(force / (2 * pi / 3), 1 - c * c * c, 1e-3);                       // h^2
   EXPECT_LT(found.traction.rightCols(8).norm(), 2e-3 * found.traction.norm());  // cut off at 25, coarse
   const SurfaceOperator incompressible(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
-  const auto other = solve_friction(incompressible, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const auto other = FrictionSolver(incompressible).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   EXPECT_GT(other.traction.rightCols(8).norm(), 2e-2 * other.traction.norm());
 }
 
 TEST(FrictionSolver, DoesNotDependOnItsGuess) {
   const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
   const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
-  const auto found = solve_friction(op, pull, limit, MatrixXd::Zero(op.n_rings(), 16));
-  const auto other = solve_friction(op, pull, limit, -100 * found.traction + MatrixXd::Random(op.n_rings(), 16));
+  const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  const auto other = FrictionSolver(op).solve(pull, limit, -100 * found.traction + MatrixXd::Random(op.n_rings(), 16));
   EXPECT_LT((found.traction - other.traction).norm(), 1e-10 * found.traction.norm());
 }
 
@@ -115,7 +115,7 @@ TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
   for (int problem = 0; problem < 50; ++problem) {
     const MatrixXd limit = field(8, -4, 0).unaryExpr([](double x) { return std::pow(10, x); }),
                    pull = any(0.01, 3) * op.areas().asDiagonal() * field(16, -1, 1);
-    const auto found = solve_friction(op, pull, limit, guess);
+    const auto found = FrictionSolver(op).solve(pull, limit, guess);
     EXPECT_LE(found.remainder, 1e-10);
     guess = found.traction;
   }
@@ -124,7 +124,7 @@ TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
 TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
   const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
   const MatrixXd none = MatrixXd::Zero(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
-  const auto found = solve_friction(op, pull, none, pull);
+  const auto found = FrictionSolver(op).solve(pull, none, pull);
   EXPECT_EQ(found.traction.norm(), 0);
   EXPECT_EQ(found.residual, pull);
 }
@@ -132,10 +132,10 @@ TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
 TEST(FrictionSolver, RefusesWhatDoesNotFit) {
   const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
   const MatrixXd limit = MatrixXd::Ones(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
-  EXPECT_THROW(solve_friction(op, limit, limit, pull), std::invalid_argument);
-  EXPECT_THROW(solve_friction(op, pull, pull, pull), std::invalid_argument);
-  EXPECT_THROW(solve_friction(op, pull, -limit, pull), std::invalid_argument);
-  EXPECT_THROW(solve_friction(op, pull * std::nan(""), limit, pull), std::invalid_argument);
+  EXPECT_THROW(FrictionSolver(op).solve(limit, limit, pull), std::invalid_argument);
+  EXPECT_THROW(FrictionSolver(op).solve(pull, pull, pull), std::invalid_argument);
+  EXPECT_THROW(FrictionSolver(op).solve(pull, -limit, pull), std::invalid_argument);
+  EXPECT_THROW(FrictionSolver(op).solve(pull * std::nan(""), limit, pull), std::invalid_argument);
 }
 
 }  // namespace
