@@ -74,8 +74,8 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
 /// that it has to die out further than a single case asks for.
 Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
   auto resolution = prepared.fem.resolution;
-  resolution.elements_per_radius = coupled ? 32 : 64;
-  resolution.steps_per_cycle = coupled ? 48 : 96;
+  resolution.elements_per_radius = coupled ? 48 : 96;
+  resolution.steps_per_cycle = coupled ? 72 : 144;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
   return resolution;
@@ -105,6 +105,21 @@ Quantities changes_at(const Pair& pair, const Resolution& resolution, BodyStore&
       changes[quantity] = *of_full / *of_rings - 1;
   }
   return changes;
+}
+
+/// Bars of the changes. Of the radius of a zone that has few of the fewest rings, these say nothing.
+ErrorBudget bars_of(std::vector<Variant> variants, const Resolution& finest,
+                    const std::map<Resolution, Quantities>& known, const FemCase& fem, const Coordinates& at) {
+  constexpr double enough_rings_of_a_zone = 4;
+  const int fewest_rings = variants.back().resolution.elements_per_radius;
+  const auto has_few = [&](const std::optional<double>& c) { return c && *c * fewest_rings < enough_rings_of_a_zone; };
+  auto bars = error_budget(finest, variants, known, {}, needs_of(fem));
+  variants.pop_back();
+  auto without_fewest = error_budget(finest, variants, known, {}, needs_of(fem));
+  for (const auto& [quantity, c] : {std::pair(Quantity::stick_radius_first_slip, at.first_slip),
+                                    std::pair(Quantity::stick_radius_shakedown, at.shakedown)})
+    if (has_few(c) && bars.count(quantity) > 0) bars[quantity] = without_fewest.at(quantity);
+  return bars;
 }
 
 }  // namespace
@@ -171,20 +186,21 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
   auto point = point_by_mdr(planned, input);
   const auto pair = pair_of(input);
   const auto finest = resolution_of(pair.full, scene.coupled), quick = with_steps(finest, 0.5),
-             both = with_rings(quick, 0.5), more_angles = with_angles(both, 2);
+             both = with_rings(quick, 0.5), more_angles = with_angles(both, 4);
   auto less_settled = both;
   less_settled.periodicity *= 10;
-  std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},
-                                {ErrorSource::time_step, with_steps(finest, 0.25), finest},
-                                {ErrorSource::angles, more_angles, both},
-                                {ErrorSource::rings, both, quick}};
-  if (!scene.coupled) variants.push_back({ErrorSource::rings, with_rings(quick, 0.25), quick});
+  const std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},
+                                      {ErrorSource::time_step, with_steps(finest, 0.25), finest},
+                                      {ErrorSource::angles, with_angles(both, 2), more_angles},
+                                      {ErrorSource::angles, both, more_angles},
+                                      {ErrorSource::rings, both, quick},
+                                      {ErrorSource::rings, with_rings(quick, 0.25), quick}};
   std::map<Resolution, Quantities> known;
   for (const auto& variant : variants)
     for (const auto& resolution : {variant.reference, variant.resolution})
       if (known.count(resolution) == 0) known[resolution] = changes_at(pair, resolution, bodies);
   const auto loose = changes_at(pair, less_settled, bodies);
-  auto bars = error_budget(finest, variants, known, {}, needs_of(pair.full.fem));
+  auto bars = bars_of(variants, finest, known, pair.full.fem, point.at);
   for (auto& [quantity, bar] : bars) {
     constexpr double all_of_it = 1;  // a bar of what MDR has: nothing is known then
     if (!(bar.total() < all_of_it) || loose.count(quantity) == 0) continue;

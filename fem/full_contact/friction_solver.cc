@@ -21,6 +21,7 @@ namespace {
 /// Remainder that is accepted where the iteration stalls, as roundoff may do with many rings: it is a tenth of the
 /// accuracy of prescribed forces.
 constexpr double enough_where_it_stalls = 1e-10;
+constexpr double least_share = 1e-10;      ///< to which a linear system is solved: roundoff leaves less
 constexpr int most_with_old_inverse = 10;  // applications from which on a new one is cheaper
 
 /// State of each point: whether it slips, the normal (x, y) of the rim of its disc there, and the stiffness of the rim.
@@ -89,7 +90,11 @@ class Newton {
   void iterate(double enough) {
     ++solution_.iterations;
     const auto newton = as_far_as_it_lowers(newton_step(enough));
-    if (halves_remainder(newton)) return go(newton, 1);
+    if (halves_remainder(newton)) {
+      tightening_ = 1;
+      return go(newton, 1);
+    }
+    tightening_ /= 10;
     const auto down = as_far_as_it_lowers(gradient_step());
     const auto& better = lowering(newton) > lowering(down) ? newton : down;
     go(better, better.share);
@@ -124,7 +129,7 @@ class Newton {
       preconditioner_.inverse->apply(field, result);
       keep_to_rims(rims, limit_, result);
     };
-    const double share = share_for(solution_.remainder, enough);
+    const double share = std::max(tightening_ * share_for(solution_.remainder, enough), least_share);
     n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
     solution_.applications += 1 + n_applications;
     onto += step;
@@ -176,6 +181,7 @@ class Newton {
   MatrixXd image_;
   FrictionSolver::Preconditioner& preconditioner_;
   FrictionSolution solution_;
+  double tightening_ = 1;  // of linear systems, after steps that did not halve the remainder
 };
 
 void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess) {

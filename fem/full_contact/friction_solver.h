@@ -30,7 +30,9 @@ struct FrictionSolution {
 /// systems are solved by conjugate gradients, preconditioned with the inverse of K that is tied to the ground by the
 /// mean of these stiffnesses over each ring, order by order. A step goes to the projected iterate where that
 /// halves the remainder. Where it does not, it goes as far towards it as lowers the energy, or along the projected
-/// gradient if that lowers it by more: so every step makes at least the progress of a method that always converges.
+/// gradient if that lowers it by more: so every step makes at least the progress of a method that always converges. The
+/// next linear system is solved ten times as far: a few points at the edge, where limits differ around a ring, may keep
+/// their share of the residual while the rest loses it.
 ///
 /// limit: n_rings x n_angles, not negative. pull: q. guess: any tractions to start from. `remainder` is the natural
 /// residual of the solution that is returned, the largest |t - P(t + rho (q - K t))| with rho the inverse of the

@@ -65,6 +65,44 @@ ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& 
           history.tangential_work};
 }
 
+SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const ContactRadius& radius_at,
+                                        const std::function<double(double)>& g, double outer_radius,
+                                        const PronyBody& body, const Prescribed& prescribed,
+                                        const SpringFineness& fineness) {
+  const auto response_with = [&](const SpringFineness& coarsest, int times) {
+    return response_of(radius_at, history_with(history, body, prescribed, coarsest, times));
+  };
+  const auto middle = response_with(fineness, 1);
+  SteppedForcedResponse stepped{response_with(fineness, 2), {}};
+  std::optional<ForcedResponse> coarse;
+  if (body.viscosity == 0) coarse = response_with(halved(fineness), 1);
+  const auto extrapolate = [&](auto&& part) {
+    const auto extrapolation = [](double coarser, double finer) { return finer + (finer - coarser) / 3; };
+    const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
+    part(stepped.response) = now;
+    part(stepped.error) =
+        coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), std::abs(now - fine))
+               : 3 * std::abs(now - fine);
+  };
+  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
+  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });
+  extrapolate([](auto& r) -> auto& { return r.normal.contact_radius_max; });
+  extrapolate([](auto& r) -> auto& { return r.depths.first_slip; });
+  extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
+  extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
+  extrapolate([](auto& r) -> auto& { return r.axis_pressure_max; });
+  stepped.response.normal.normal_force_error = stepped.error.normal.normal_force_max;
+  extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
+  extrapolate([](auto& r) -> auto& { return r.friction_work; });
+  extrapolate([](auto& r) -> auto& { return r.bulk_work; });
+  extrapolate([](auto& r) -> auto& { return r.tangential_work; });
+  if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
+    stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
+  return stepped;
+}
+
 }  // namespace
 
 double deepest_indentation(const Profile& profile, const PronyBody& body, const Prescribed& prescribed) {
@@ -96,39 +134,17 @@ SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, con
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, const Prescribed& prescribed,
                                             const SpringFineness& fineness) {
-  const auto response_with = [&](const SpringFineness& coarsest, int times) {
-    return response_of(radius_at, history_with(history, body, prescribed, coarsest, times));
+  const auto response_with = [&](const SpringFineness& with) {
+    return extrapolated_once(history, radius_at, g, outer_radius, body, prescribed, with);
   };
-  // The middle one first: where the contact slides as a whole, it says when.
-  const auto middle = response_with(fineness, 1);
-  SteppedForcedResponse stepped{response_with(fineness, 2), {}};
-  std::optional<ForcedResponse> coarse;
-  if (body.viscosity == 0) coarse = response_with(halved(fineness), 1);
-  const auto extrapolate = [&](auto&& part) {
-    const auto extrapolation = [](double coarser, double finer) { return finer + (finer - coarser) / 3; };
-    const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
-    part(stepped.response) = now;
-    part(stepped.error) =
-        coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), std::abs(now - fine))
-               : 3 * std::abs(now - fine);
-  };
-  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
-  extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });
-  extrapolate([](auto& r) -> auto& { return r.normal.contact_radius_max; });
-  extrapolate([](auto& r) -> auto& { return r.depths.first_slip; });
-  extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
-  extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
-  extrapolate([](auto& r) -> auto& { return r.axis_pressure_max; });
-  stepped.response.normal.normal_force_error = stepped.error.normal.normal_force_max;
-  extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
-  extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });
-  extrapolate([](auto& r) -> auto& { return r.tangential_force_mean; });
-  extrapolate([](auto& r) -> auto& { return r.friction_work; });
-  extrapolate([](auto& r) -> auto& { return r.bulk_work; });
-  extrapolate([](auto& r) -> auto& { return r.tangential_work; });
-  if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
-    stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
-  return stepped;
+  try {
+    return response_with(fineness);
+  } catch (const GrossSlip&) {
+    constexpr int longer = 5;
+    auto slowly = fineness;
+    slowly.n_ramp_periods *= longer;
+    return response_with(slowly);
+  }
 }
 
 SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& body, double mu,

@@ -47,7 +47,7 @@ struct ForcedResponse {
 /// Fineness of the middle one of the three histories from which a response is extrapolated.
 struct SpringFineness {
   Eigen::Index n_springs = 200;
-  int steps_per_oscillation = 180, n_ramp_periods = 20;
+  int steps_per_oscillation = 180, n_ramp_periods = 4;
   double periodicity = 1e-8;  ///< see periodicity_of
   int n_oscillations = 48;    ///< in a period of a RepeatingMotion that stands for another motion
 };
@@ -60,7 +60,8 @@ SpringFineness finer(SpringFineness fineness, int times);
 /// distance from the extrapolation of n/2 and n, or from the values of 2 n, whichever is more, which covers orders from
 /// one to two. With a dashpot, whose load jumps at the edge, the orders scatter, and error is the whole difference of n
 /// and 2 n. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic
-/// and for a tangential force that no friction holds (gross slip).
+/// and for a tangential force that no friction holds (gross slip): this is stepped once more on a ramp five times as
+/// long, on which the amplitude grows by less in a cycle.
 struct SteppedForcedResponse {
   ForcedResponse response, error;
 };
