@@ -16,7 +16,7 @@ bool are_equal_rings(const std::vector<double>& nodes) {
 }  // namespace
 
 BodyDescription half_space_with_rings_of(const BodyDescription& body) {
-  constexpr std::size_t enough_rings = 40;
+  constexpr std::size_t enough_rings = 24;
   // Over the contact line. What is left of the far field of a compressible body bends the law that the edges are fitted
   // to, by the third power: with 8 contact radii on layers were 5e-5 to 1.5e-4 off at nu = 0.
   constexpr double far = 60;
