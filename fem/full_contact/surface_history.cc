@@ -7,6 +7,7 @@
 #include "fem/full_contact/fields.h"
 #include "fem/full_contact/projected_gradients.h"
 #include "fem/full_contact/slip_room.h"
+#include "fem/history/drive_to_period.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
@@ -170,19 +171,39 @@ double SurfaceWatch::periodicity() const {
 
 namespace {
 
+/// The way of a contact on rings and angles to its periodic state, see drive_to_period.
+struct SurfaceWay : PlainWay {
+  const SurfaceWatch& watch;
+  const SurfaceControl& control;
+  std::function<void()> step_through_cycle;
+  int n_cycles = 0;
+
+  SurfaceWay(const SurfaceWatch& watched, const SurfaceControl& controlled, std::function<void()> step)
+      : watch(watched), control(controlled), step_through_cycle(std::move(step)) {}
+
+  [[nodiscard]] bool is_at_end(double /*periodicity*/) const { return n_cycles == control.most_cycles; }
+  void step_through_period() {
+    step_through_cycle();
+    ++n_cycles;
+  }
+  [[nodiscard]] bool is_in_start() const { return n_cycles < control.least_cycles; }
+  [[nodiscard]] double change() const { return watch.periodicity(); }
+  [[nodiscard]] bool goes_on(double periodicity, double /*change*/) const { return periodicity > control.periodicity; }
+};
+
 /// Steps whole cycles: step is called with the number of each step, from 0 on.
 template <class Contact, class Step>
 SurfaceHistory history_of(const Contact& contact, SurfaceWatch& watch, int steps_per_cycle,
                           const SurfaceControl& control, const Step& step) {
   SecondAlgorithm second;
   long n = 0;
-  for (int cycle = 1; cycle <= control.most_cycles; ++cycle) {
+  SurfaceWay way(watch, control, [&] {
     for (int k = 0; k < steps_per_cycle; ++k) {
       step(n++);
       if (control.has_second_algorithm) second.see(contact);
     }
-    if (cycle >= control.least_cycles && watch.periodicity() <= control.periodicity) break;
-  }
+  });
+  drive_to_period(way, {});
   auto history = watch.report();
   if (control.has_second_algorithm) history.second_difference = second.difference();
   return history;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "fem/history/cycle_jump.h"
+#include "fem/history/drive_to_period.h"
 #include "fem/history/friction_search.h"
 #include "fem/history/scatter.h"
 #include "fem/ring_contact/friction_force.h"
@@ -227,16 +227,6 @@ bool any_is_about_to_stick(const Eigen::VectorXd& before, const Eigen::VectorXd&
 
 constexpr int most_searches = 4;
 
-/// Moves friction to its periodic state by a search. Returns PeriodicState::to_come.
-double go_to_periodic_state(WatchedFriction& friction, const NormalHistory& normal, double periodicity,
-                            FrictionHistory& history) {
-  auto found =
-      find_periodic_friction(friction.contact, normal, friction.first_slip.slip_path(), share_of_search * periodicity);
-  history.n_cycles_of_search += found.n_periods * friction.contact.motion().cycles_per_period();
-  friction.contact.state = std::move(found.state);
-  return found.to_come;
-}
-
 /// Plain sums: depths of rings that touch in any order cannot be continued to an edge.
 void report_sums(const Eigen::VectorXd& areas, FrictionHistory& history) {
   history.force = history.traction.transpose() * areas;
@@ -254,86 +244,123 @@ double slip_of_stuck_ring(const Motion& motion, double amplitude) {
   return per_amplitude_and_oscillation * path / motion.tangential_amplitude() * amplitude * motion.cycles_per_period();
 }
 
+namespace {
+
+/// The way of friction to its periodic state under the repeating cycle of the normal contact, see drive_to_period.
+class FrictionWay {
+ public:
+  FrictionWay(WatchedFriction& friction, const NormalHistory& normal, const HistoryControl& control,
+              const std::function<void(const FrictionContact&)>& see, FrictionHistory& history)
+      : friction_(friction),
+        normal_(normal),
+        control_(control),
+        see_(see),
+        history_(history),
+        touching_{normal.touch_radii, contact().relaxation().viscosity == 0},
+        forces_(contact(), touching_, friction.period_steps()),
+        in_order_(normal.touches_in_order()),
+        creep_(longest_creep_time(contact().relaxation()) / (2 * pi * cycles_per_period())) {}
+
+  [[nodiscard]] Shortening shortening() const {
+    const auto& motion = contact().motion();
+    const bool may_search =
+        creep_ >= slow_creep && motion.locked && !motion.tangential_force && !motion.is_single_pass();
+    const bool has_gone_along = contact().n_steps >= normal_.n_steps();
+    return {creep_, may_search ? most_searches : 0, may_search && has_gone_along};
+  }
+
+  [[nodiscard]] bool is_at_end(double periodicity) const {
+    const int most_cycles = contact().motion().locked
+                                ? control_.max_cycles
+                                : std::max(control_.max_cycles, most_long_periods * cycles_per_period());
+    if (history_.n_cycles < most_cycles) return false;
+    if (repeats_) return true;
+    throw SolverError(fmt::format(
+        "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
+        "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the test, so that "
+        "branches slower than it are springs",
+        history_.n_cycles, periodicity, control_.periodicity, creep_ * cycles_per_period()));
+  }
+
+  void step_through_period() {
+    do {
+      const Eigen::Index column = normal_.column(contact().n_steps + 1);
+      if (in_order_) {
+        friction_.step(normal_.pressure_on_friction().col(column), normal_.instant(column));
+        touching_.move_to(normal_.contact_radius[column]);
+        forces_.see(contact(), touching_, normal_.force[column]);
+      } else {
+        friction_.step(normal_.pressure.col(column));
+      }
+      if (see_) see_(contact());
+    } while (contact().n_steps % friction_.period_steps() != 0);
+    history_.n_cycles = static_cast<int>(contact().n_steps / contact().steps_per_cycle());
+  }
+
+  [[nodiscard]] bool is_single_pass() const { return contact().motion().is_single_pass(); }
+  [[nodiscard]] bool is_in_start() const {
+    return history_.n_cycles <= std::max(contact().motion().cycles_of_ramp(), normal_.n_cycles) + cycles_per_period();
+  }
+  [[nodiscard]] double change() const { return friction_.period.change(); }
+
+  bool goes_on(double periodicity, double change) {
+    const auto& motion = contact().motion();
+    repeats_ = periodicity <= control_.periodicity || (motion.tangential_force && scatter_.is_all(change));
+    const double allowed = slip_of_stuck_ring(motion, friction_.period.amplitude(motion));
+    const auto is_about = in_order_ ? is_about_to_stick : any_is_about_to_stick;
+    const bool settles = is_about(friction_.slip_before, friction_.period.slip(), allowed,
+                                  static_cast<double>(history_.n_cycles) / cycles_per_period());
+    return settles || !repeats_;
+  }
+
+  double search() {
+    auto found = find_periodic_friction(contact(), normal_, friction_.first_slip.slip_path(),
+                                        share_of_search * control_.periodicity);
+    history_.n_cycles_of_search += found.n_periods * cycles_per_period();
+    contact().state = std::move(found.state);
+    return found.to_come;
+  }
+  bool jump(CycleJump& jump) { return jump.advance(contact().state, contact().displacement); }
+
+  /// Writes the forces of the last period.
+  void report_forces() const {
+    if (in_order_)
+      forces_.report(contact(), friction_.period.limit_depths(), history_);
+    else
+      report_sums(contact().problem().compliance.areas, history_);
+  }
+
+ private:
+  [[nodiscard]] FrictionContact& contact() const { return friction_.contact; }
+  [[nodiscard]] int cycles_per_period() const { return contact().motion().cycles_per_period(); }
+
+  WatchedFriction& friction_;
+  const NormalHistory& normal_;
+  const HistoryControl& control_;
+  const std::function<void(const FrictionContact&)>& see_;
+  FrictionHistory& history_;
+  TouchingRings touching_;
+  ForcesOfPeriod forces_;
+  bool in_order_;
+  double creep_;  // periods
+  Scatter scatter_;
+  bool repeats_ = false;
+};
+
+}  // namespace
+
 FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& normal, const HistoryControl& control,
                                  const std::function<void(const FrictionContact&)>& see) {
-  auto& contact = friction.contact;
-  const int cycles_per_period = contact.motion().cycles_per_period(), period_steps = friction.period_steps();
-  const int most_cycles = contact.motion().locked ? control.max_cycles
-                                                  : std::max(control.max_cycles, most_long_periods * cycles_per_period);
+  const auto& contact = friction.contact;
   FrictionHistory history;
-  history.periodicity = infinity;
-  TouchingRings touching{normal.touch_radii, contact.relaxation().viscosity == 0};
-  ForcesOfPeriod forces(contact, touching, period_steps);
-  const double creep = longest_creep_time(contact.relaxation()) / (2 * pi * cycles_per_period);  // periods
-  CycleJump jump(creep);
-  const bool in_order = normal.touches_in_order();
-  bool jumped = false, settling = false;
-  const bool can_search = creep >= slow_creep && contact.motion().locked && !contact.motion().tangential_force &&
-                          !contact.motion().is_single_pass();
-  int n_searches = can_search ? most_searches : 0;
-  double to_come = infinity;  // as a search found
-  Scatter scatter;
-  bool repeats = false;
-  if (can_search && contact.n_steps >= normal.n_steps()) {
-    to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
-    jumped = true;
-  }
-  while (jumped || settling || !repeats) {
-    const bool at_end = history.n_cycles >= most_cycles;
-    if (at_end && repeats) break;
-    if (at_end)
-      throw SolverError(fmt::format(
-          "the tangential response is not periodic after {} cycles: it will still change by {:.1e} of its largest "
-          "value, {:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the test, so that "
-          "branches slower than it are springs",
-          history.n_cycles, history.periodicity, control.periodicity, creep * cycles_per_period));
-    do {
-      const Eigen::Index column = normal.column(contact.n_steps + 1);
-      if (in_order) {
-        friction.step(normal.pressure_on_friction().col(column), normal.instant(column));
-        touching.move_to(normal.contact_radius[column]);
-        forces.see(contact, touching, normal.force[column]);
-      } else {
-        friction.step(normal.pressure.col(column));
-      }
-      if (see) see(contact);
-    } while (contact.n_steps % period_steps != 0);
-    history.n_cycles = static_cast<int>(contact.n_steps / contact.steps_per_cycle());
-    if (contact.motion().is_single_pass()) {
-      history.periodicity = 0;
-      break;
-    }
-    history.jumped |= jumped;
-    const bool after_jump = std::exchange(jumped, false);
-    if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), normal.n_cycles) + cycles_per_period) continue;
-    if (!after_jump) {
-      const double change = friction.period.change();
-      history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
-      repeats =
-          history.periodicity <= control.periodicity || (contact.motion().tangential_force && scatter.is_all(change));
-      const double allowed = slip_of_stuck_ring(contact.motion(), friction.period.amplitude(contact.motion()));
-      const auto is_about = in_order ? is_about_to_stick : any_is_about_to_stick;
-      settling = is_about(friction.slip_before, friction.period.slip(), allowed,
-                          static_cast<double>(history.n_cycles) / cycles_per_period);
-    }
-    if (!settling && repeats) continue;
-    if (n_searches > 0) {
-      if (after_jump) continue;
-      --n_searches;
-      to_come = go_to_periodic_state(friction, normal, control.periodicity, history);
-      jumped = true;
-    } else {
-      to_come = infinity;
-      jumped = jump.advance(contact.state, contact.displacement);
-    }
-  }
+  FrictionWay way(friction, normal, control, see, history);
+  const auto drive = drive_to_period(way, way.shortening());
+  history.periodicity = drive.periodicity;
+  history.jumped = drive.moved;
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.hand_over(contact.problem(), history);
-  if (in_order)
-    forces.report(contact, friction.period.limit_depths(), history);
-  else
-    report_sums(contact.problem().compliance.areas, history);
+  way.report_forces();
   history.amplitude = friction.period.amplitude(contact.motion());
   history.slip_of_periods = std::move(friction.slip_of_periods);
   return history;

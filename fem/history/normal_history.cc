@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "fem/history/cycle_jump.h"
+#include "fem/history/drive_to_period.h"
+#include "fem/history/periodic_state.h"
 #include "fem/motion/running_minimum.h"
 #include "fem/ring_contact/pressure_for_friction.h"
 #include "fem/support/constants.h"
@@ -93,74 +94,88 @@ class CycleRecord {
   double deepest_ = -infinity;
 };
 
-double change_per_cycle(const Eigen::MatrixXd& now, const Eigen::MatrixXd& before) {
-  const double change = (now - before).cwiseAbs().maxCoeff();
-  return change > 0 ? change / now.maxCoeff() : 0;
-}
+/// The way of a normal contact to its periodic state, see drive_to_period.
+class NormalWay {
+ public:
+  NormalWay(NormalContact& contact, const HistoryControl& control, const Beside& beside, NormalHistory& history)
+      : contact_(contact),
+        control_(control),
+        beside_(beside),
+        history_(history),
+        record_(contact, history),
+        creep_(longest_creep_time(contact.relaxation()) / (2 * pi)) {}
 
-PeriodicState search(const NormalContact& contact, double periodicity) {
-  return find_periodic_state(contact.problem().compliance, contact.relaxation(), Hold::closes, contact.state,
-                             share_of_search * periodicity, [&contact](const RingState& begin) {
-                               return period_from(begin, contact, contact.steps_per_cycle(),
-                                                  [](NormalContact& trial) { trial.step(); });
-                             });
-}
+  [[nodiscard]] Shortening shortening() const {
+    const bool may_search =
+        creep_ >= slow_creep && !contact_.motion().normal_force && change_to_come(0, creep_) <= control_.periodicity;
+    return {creep_, may_search ? 1 : 0};
+  }
+
+  [[nodiscard]] bool is_at_end(double periodicity) const {
+    if (history_.n_cycles < control_.max_cycles) return false;
+    throw SolverError(fmt::format(
+        "the normal response is not periodic after {} cycles: it will still change by {:.1e} of its largest value, "
+        "{:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the "
+        "test, so that branches slower than it are springs",
+        history_.n_cycles, periodicity, control_.periodicity, creep_));
+  }
+
+  void step_through_period() {
+    before_ = history_.pressure;
+    record_.begin();
+    if (is_single_pass()) record_.add_start(contact_);
+    for (int k = 0; k < contact_.steps_per_cycle(); ++k) {
+      contact_.step();
+      if (contact_.n_steps == 1) history_.first_balance = contact_.time;
+      record_.add(k, contact_);
+      if (beside_) beside_(contact_);
+    }
+    record_.end();
+    ++history_.n_cycles;
+  }
+
+  [[nodiscard]] bool is_single_pass() const { return contact_.motion().is_single_pass(); }
+  [[nodiscard]] bool is_in_start() const {
+    return history_.n_cycles <= std::max(contact_.motion().cycles_of_ramp(), 1);
+  }
+  [[nodiscard]] double change() const {
+    const double change = (history_.pressure - before_).cwiseAbs().maxCoeff();
+    return change > 0 ? change / history_.pressure.maxCoeff() : 0;
+  }
+  [[nodiscard]] bool goes_on(double periodicity, double /*change*/) const {
+    return !(periodicity <= control_.periodicity);
+  }
+
+  double search() {
+    auto found = find_periodic_state(contact_.problem().compliance, contact_.relaxation(), Hold::closes, contact_.state,
+                                     share_of_search * control_.periodicity, [this](const RingState& begin) {
+                                       return period_from(begin, contact_, contact_.steps_per_cycle(),
+                                                          [](NormalContact& trial) { trial.step(); });
+                                     });
+    contact_.state = std::move(found.state);
+    history_.n_cycles_of_search = found.n_periods;
+    return found.to_come;
+  }
+  bool jump(CycleJump& jump) { return jump.advance(contact_.state, contact_.indentation); }
+
+ private:
+  NormalContact& contact_;
+  const HistoryControl& control_;
+  const Beside& beside_;
+  NormalHistory& history_;
+  CycleRecord record_;
+  double creep_;            // periods
+  Eigen::MatrixXd before_;  // pressures of the cycle before
+};
 
 }  // namespace
 
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside) {
-  const int n_steps = contact.steps_per_cycle();
   NormalHistory history;
-  history.steps_per_cycle = n_steps;
-  history.periodicity = infinity;
+  history.steps_per_cycle = contact.steps_per_cycle();
   if (contact.touches_in_order()) history.touch_radii = contact.problem().series.radii();
-  CycleRecord record(contact, history);
-  const double creep = longest_creep_time(contact.relaxation()) / (2 * pi);
-  CycleJump jump(creep);
-  bool jumped = false, may_search = creep >= slow_creep && !contact.motion().normal_force &&
-                                    change_to_come(0, creep) <= control.periodicity;
-  double to_come = infinity;  // as a search found
-  while (jumped || !(history.periodicity <= control.periodicity)) {
-    if (history.n_cycles >= control.max_cycles)
-      throw SolverError(fmt::format(
-          "the normal response is not periodic after {} cycles: it will still change by {:.1e} of its largest value, "
-          "{:.1e} is asked for; the body creeps for {:.3g} cycles: set the Duration of the "
-          "test, so that branches slower than it are springs",
-          history.n_cycles, history.periodicity, control.periodicity, creep));
-    const Eigen::MatrixXd before = history.pressure;
-    record.begin();
-    if (contact.motion().is_single_pass()) record.add_start(contact);
-    for (int k = 0; k < n_steps; ++k) {
-      contact.step();
-      if (contact.n_steps == 1) history.first_balance = contact.time;
-      record.add(k, contact);
-      if (beside) beside(contact);
-    }
-    record.end();
-    ++history.n_cycles;
-    if (contact.motion().is_single_pass()) {
-      history.periodicity = 0;
-      break;
-    }
-    const bool after_jump = std::exchange(jumped, false);
-    if (history.n_cycles <= std::max(contact.motion().cycles_of_ramp(), 1)) continue;
-    if (!after_jump) {
-      const double change = change_per_cycle(history.pressure, before);
-      history.periodicity = std::min(change_to_come(change, creep), std::max(change, to_come));
-    }
-    if (history.periodicity <= control.periodicity) continue;
-    if (after_jump && to_come < infinity) continue;  // a search is followed by two plain cycles
-    if (std::exchange(may_search, false)) {
-      auto found = search(contact, control.periodicity);
-      contact.state = std::move(found.state);
-      to_come = found.to_come;
-      history.n_cycles_of_search = found.n_periods;
-      jumped = true;
-    } else {
-      to_come = infinity;
-      jumped = jump.advance(contact.state, contact.indentation);
-    }
-  }
+  NormalWay way(contact, control, beside, history);
+  history.periodicity = drive_to_period(way, way.shortening()).periodicity;
   return history;
 }
 

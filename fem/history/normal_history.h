@@ -15,11 +15,6 @@ struct HistoryControl {
   double periodicity = 1e-7;
 };
 
-/// Creep in periods from which on the periodic state is found directly (find_periodic_state).
-constexpr double slow_creep = 3;
-/// Tolerance of the search for the periodic state, over the periodicity that is asked for.
-constexpr double share_of_search = 0.01;
-
 /// The periodic state of the normal contact: the last cycle, which repeats, and how the history came to it.
 struct NormalHistory {
   int steps_per_cycle = 0;
