@@ -70,6 +70,11 @@ double product(const MatrixXd& a, const MatrixXd& b) {
   return a.cwiseProduct(b).sum();
 }
 
+bool is_on_rim(const Eigen::Vector2d& traction, double limit) {
+  constexpr double roundoff = 1e-14;
+  return limit > 0 && traction.norm() >= (1 - roundoff) * limit;
+}
+
 class Newton {
  public:
   Newton(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess,
@@ -162,12 +167,29 @@ class Newton {
   Descent as_far_as_it_lowers(MatrixXd way) {
     op_.apply(way, image_);
     ++solution_.applications;
-    const double share = std::min(1.0, product(way, solution_.residual) / product(way, image_));
+    const double share = std::min(1.0, slope(way) / product(way, image_));
     return {std::move(way), image_, share > 0 ? share : 0};
   }
 
   [[nodiscard]] double lowering(const Descent& by) const {
-    return by.share * (product(by.way, solution_.residual) - by.share / 2 * product(by.way, by.image));
+    return by.share * (slope(by.way) - by.share / 2 * product(by.way, by.image));
+  }
+
+  /// How steeply the energy falls along a way, way . (q - K t). The way of a point from rim to rim is normal to the
+  /// mean of its two ends, but for roundoff, which the residual along that mean would make more of than there is to
+  /// gain next to the solution: such a point counts with what is normal to it.
+  [[nodiscard]] double slope(const MatrixXd& way) const {
+    const Index m = limit_.cols();
+    double sum = product(way, solution_.residual);
+    for (Index j = 0; j < m; ++j)
+      for (Index i = 0; i < limit_.rows(); ++i) {
+        const Eigen::Vector2d t(solution_.traction(i, j), solution_.traction(i, m + j)), w(way(i, j), way(i, m + j)),
+            q(solution_.residual(i, j), solution_.residual(i, m + j)), mean = t + w / 2;
+        const bool stays_on_this_side = w.norm() < t.norm();
+        if (stays_on_this_side && is_on_rim(t, limit_(i, j)) && is_on_rim(t + w, limit_(i, j)))
+          sum -= mean.dot(q) * mean.dot(w) / mean.squaredNorm();
+      }
+    return sum;
   }
 
   void go(const Descent& by, double share) {

@@ -103,6 +103,17 @@ TEST(FrictionSolver, DoesNotDependOnItsGuess) {
   EXPECT_LT((found.traction - other.traction).norm(), 1e-10 * found.traction.norm());
 }
 
+// A motion that turns back pulls every point that slips to the other side of its disc.
+TEST(FrictionSolver, TurnsBack) {
+  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const MatrixXd limit = hertz_pressure(surface_half_space(0.5, 16)).replicate(1, 8), pull = pull_by(op, 3, 0);
+  const auto there = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
+  EXPECT_NEAR(there.traction.leftCols(8).sum(), limit.sum(), 1e-3 * limit.sum());  // all of it slips
+  const auto back = FrictionSolver(op).solve(-pull, limit, there.traction);
+  EXPECT_LT((back.traction + there.traction).norm(), 1e-9 * there.traction.norm());
+  EXPECT_LT(back.iterations, 12);
+}
+
 // Limits over four orders and pulls of any direction, from a guess of another problem.
 TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
   std::mt19937 random(1);
