@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "comparison/accuracy/verdict.h"
@@ -15,8 +16,8 @@ struct PreparedCase {
   FemCase fem;
   Tolerances tolerances;
   /// Errors of MDR's springs, over the scales of the quantities: they take their part of the tolerances, and the bars
-  /// of the finite elements have the rest.
-  Quantities reference_errors = {};
+  /// of the finite elements have the rest. It may wait until they are known.
+  std::function<Quantities()> reference_errors = [] { return Quantities{}; };
 
   /// Whether both methods are compared; false where MDR does not hold for the profile.
   [[nodiscard]] bool is_compared() const { return fem.kind != ContactKind::annuli; }

@@ -60,8 +60,9 @@ bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks
 /// Part of a tolerance that the errors of the reference leave for the finite elements: at least half, as a bar of
 /// nothing cannot be met.
 double left_by_reference(const PreparedCase& prepared, Quantity quantity, double tolerance) {
-  const auto error = prepared.reference_errors.find(quantity);
-  return error == prepared.reference_errors.end() ? tolerance : std::max(tolerance - error->second, tolerance / 2);
+  const auto errors = prepared.reference_errors();
+  const auto error = errors.find(quantity);
+  return error == errors.end() ? tolerance : std::max(tolerance - error->second, tolerance / 2);
 }
 
 /// The bar of a quantity with the width that it may have; tells the log if it is wider.

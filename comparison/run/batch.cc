@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -90,16 +91,20 @@ std::string confirm_by_second_algorithm(FemCase fem, BodyStore& bodies, ProvedAn
 struct Reference {
   std::shared_ptr<const mdr::NormalResponse> normal;
   MdrAnswer answer;
+  Quantities errors;    ///< see PreparedCase::reference_errors
+  std::string failure;  ///< why there is no answer, or empty
 };
 
-/// Keeps what its springs may be off by.
-Reference reference_of(PreparedCase& prepared, NormalResponses& references) {
-  if (!prepared.is_compared()) return {std::make_shared<const mdr::NormalResponse>(), no_answer(prepared.mdr)};
-  auto normal = references.of(prepared.input, prepared.mdr);
-  auto answer = mdr_answer_with_cycle(prepared.mdr, *normal);
-  prepared.reference_errors =
-      uncertainties_of(compared_readings_of(answer), scales_of(answer, prepared.fem.units.length));
-  return {std::move(normal), std::move(answer)};
+Reference reference_of(const PreparedCase& prepared, NormalResponses& references) {
+  if (!prepared.is_compared()) return {std::make_shared<const mdr::NormalResponse>(), no_answer(prepared.mdr), {}, ""};
+  try {
+    auto normal = references.of(prepared.input, prepared.mdr);
+    auto answer = mdr_answer_with_cycle(prepared.mdr, *normal);
+    auto errors = uncertainties_of(compared_readings_of(answer), scales_of(answer, prepared.fem.units.length));
+    return {std::move(normal), std::move(answer), std::move(errors), ""};
+  } catch (const std::runtime_error& error) {
+    return {{}, {}, {}, error.what()};
+  }
 }
 
 BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyStore& bodies,
@@ -123,13 +128,12 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
       options.under_way(line.name, share_of_unworn * n_done / n_known,
                         fmt::format("{} of {} computations, more if the bars ask for them", n_done, n_known));
     };
-  Reference reference;
-  try {
-    reference = reference_of(prepared, references);
-  } catch (const std::runtime_error& error) {
-    line.failure = error.what();
-  }
+  // MDR's springs step beside the finite elements, which first ask for their errors when they have bars.
+  const auto reference = std::async(std::launch::async, [&] { return reference_of(asked, references); }).share();
+  prepared.reference_errors = [reference] { return reference.get().errors; };
   auto fe = prove(prepared, options.proof, bodies, n_cores(), told);
+  auto known = reference.get();
+  line.failure = known.failure;
   if (!fe.failure.empty()) line.failure = fe.failure + hint_at_modulus(prepared.input);
   if (prepared.fem.keeps_body && fe.fe.body && is_too_large(fe.fe.body->n_dofs, bodies)) {
     log::warn(
@@ -141,10 +145,10 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
   add_data_shares(prepared.input, prepared.mdr, fe.budget);
-  auto result = result_of(prepared, std::move(reference.answer), options.proof, std::move(fe));
+  auto result = result_of(prepared, std::move(known.answer), options.proof, std::move(fe));
   if (wears(prepared)) line.failure = wear_off(prepared, options, bodies, result);
   if (!line.failure.empty()) return line;
-  finish(result, *reference.normal, options, line);
+  finish(result, *known.normal, options, line);
   return line;
 }
 

@@ -222,7 +222,7 @@ TEST(Proof, KeepsWhatIsFineEnough) {
 TEST(Proof, LeavesTheReferenceItsPartOfATolerance) {
   auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
   const auto bar_beside = [&](double error) {
-    prepared.reference_errors = {{Quantity::stick_radius_shakedown, error}};
+    prepared.reference_errors = [error] { return Quantities{{Quantity::stick_radius_shakedown, error}}; };
     return fake_study(prepared, {100, 0}).budget.at(Quantity::stick_radius_shakedown).total();
   };
   const double alone = bar_beside(0);
