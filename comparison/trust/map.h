@@ -24,12 +24,13 @@ std::vector<PlannedPoint> planned_points();
 MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input);
 
 /// Computes the change by friction whose direction turns, and by coupling where the scene has it: values by finite
-/// elements on rings and angles over those on the same rings, in which errors of rings and steps cancel. Its bar is the
-/// sum of its changes by half of the rings, of the steps and of the angles, which is the error if that is of first
-/// order, and more than it otherwise. Throws fem::SolverError.
+/// elements on rings and angles over those on the same rings, in which errors of rings and steps cancel. Its bar adds
+/// what rings, steps and angles leave, by the orders that coarser computations show (error_budget), and what has not
+/// settled. Throws fem::SolverError.
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies);
 
-/// All points on all cores, in the order of the plan. done: called after each point, one call at a time.
+/// All points on all cores, in the order of the plan. done: called after each point, one call at a time. A point that
+/// fails is told to the log, and has no changes.
 std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, BodyStore& bodies,
                                    const std::function<void(const MapPoint&, std::size_t n_done)>& done);
 
