@@ -182,13 +182,13 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input) {
   return point;
 }
 
-MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies) {
+MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness) {
   const auto& scene = planned.scene;
   const auto input = case_of(scene);
   auto point = point_by_mdr(planned, input);
   const auto pair = pair_of(input);
-  const auto finest = resolution_of(pair.full, scene.coupled), quick = with_steps(finest, 0.5),
-             both = with_rings(quick, 0.5), more_angles = with_angles(both, 4);
+  const auto finest = with_steps(with_rings(resolution_of(pair.full, scene.coupled), fineness), fineness),
+             quick = with_steps(finest, 0.5), both = with_rings(quick, 0.5), more_angles = with_angles(both, 4);
   auto less_settled = both;
   less_settled.periodicity *= 10;
   const std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},

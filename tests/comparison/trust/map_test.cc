@@ -32,14 +32,25 @@ TEST(PointByMdr, HasBothOfItsModels) {
 TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
   BodyStore bodies;
   MapScene scene{0.5};
-  const auto incompressible = computed_point({"phase", "", scene}, bodies);
+  const auto incompressible = computed_point({"phase", "", scene}, bodies, 0.5);
   const auto& radius = incompressible.changes.at(Quantity::stick_radius_shakedown);
   EXPECT_LT(radius.value, -radius.bar);
   EXPECT_GT(radius.value, -0.05);
   scene.poisson_ratio = 0;
-  const auto compressible = computed_point({"phase", "", scene}, bodies);
+  const auto compressible = computed_point({"phase", "", scene}, bodies, 0.5);
   const auto& none = compressible.changes.at(Quantity::stick_radius_shakedown);
   EXPECT_NEAR(none.value, 0, 1e-6);
+}
+
+// The fewest rings, 12 to the contact radius, have two in a zone of 0.2 a: they would make its bar as wide as the
+// value.
+TEST(ComputedPoint, DoesNotReadABarFromZonesOfFewRings) {
+  BodyStore bodies;
+  MapScene scene{0.2};
+  scene.phase = 90;
+  const auto& radius = computed_point({"phase", "", scene}, bodies, 0.5).changes.at(Quantity::stick_radius_shakedown);
+  EXPECT_NEAR(radius.value, -0.07, 0.02);
+  EXPECT_LT(radius.bar, 0.02);
 }
 
 }  // namespace
