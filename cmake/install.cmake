@@ -1,5 +1,5 @@
 # What `cmake --install` puts where, and the Debian package. Component development: the analytic reference as fretval::mdr;
-# component program: fretval with its data, which it finds beside itself (comparison/support/data_folder.h).
+# component program: fretval with its data, which it finds beside itself (comparison/support/folders.h).
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 

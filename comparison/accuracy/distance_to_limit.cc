@@ -1,7 +1,6 @@
 #include "comparison/accuracy/distance_to_limit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace fretval {

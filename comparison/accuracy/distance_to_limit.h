@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "comparison/reference/wear_limit.h"
+#include "comparison/reference/mdr_wear.h"
 
 namespace fretval {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace fretval {
 Verdict verdict_on(double difference, double tolerance, double bar) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <fstream>
 
-#include "comparison/case/noisy_start.h"
 #include "comparison/case/table_noise.h"
 #include "comparison/case/test_duration.h"
 #include "mdr/profiles/profile_csv.h"

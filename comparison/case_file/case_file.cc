@@ -9,11 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "comparison/case_file/case_entries.h"
+#include "comparison/case_file/case_sections.h"
 #include "comparison/case_file/entry_lookup.h"
-#include "comparison/case_file/json_entries.h"
-#include "comparison/case_file/prm_entries.h"
-#include "mdr/support/trimmed.h"
+#include "comparison/case_file/file_entries.h"
 
 namespace fretval {
 namespace {
@@ -88,16 +86,9 @@ std::string case_name(const fs::path& file) {
   return name;
 }
 
-struct SweptEntry {
-  std::string section, name;
-};
-
-SweptEntry swept_entry(const EntryReader& entries, const char* name_of_entry) {
-  const std::string text = entries.text("Sweep", name_of_entry);
-  const auto slash = text.find('/');
-  SweptEntry swept;
-  if (slash != std::string::npos) swept = {trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1))};
-  if (!is_entry(swept.section, swept.name) || swept.section == "Sweep")
+EntryPlace swept_entry(const EntryReader& entries, const char* name_of_entry) {
+  auto swept = place_of(entries.text("Sweep", name_of_entry));
+  if (!is_entry(swept.section, swept.entry) || swept.section == "Sweep")
     entries.fail("Sweep", name_of_entry, "SECTION / ENTRY of this file, for example Motion / Phase");
   entries.throw_problems();
   return swept;
@@ -106,10 +97,10 @@ SweptEntry swept_entry(const EntryReader& entries, const char* name_of_entry) {
 constexpr double most_values = 1e5;  // of a sweep, each of which is a case
 
 /// `a : step : b` or a list, in the units of the swept entry.
-std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& swept, const char* name_of_values) {
+std::vector<double> sweep_values(const EntryReader& entries, const EntryPlace& swept, const char* name_of_values) {
   const std::string text = entries.text("Sweep", name_of_values);
   const bool is_range = text.find(':') != std::string::npos;
-  const auto list = entries.numbers_for(swept.section, swept.name, text, is_range ? ':' : ',');
+  const auto list = entries.numbers_for(swept.section, swept.entry, text, is_range ? ':' : ',');
   const bool rises = list.size() == 3 && list[1] > 0 && list[2] >= list[0];
   const double n_values = !is_range ? static_cast<double>(list.size())
                           : rises   ? std::floor((list[2] - list[0]) / list[1] + 1e-9) + 1
@@ -117,11 +108,11 @@ std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& s
   if (n_values > most_values)
     entries.fail("Sweep", name_of_values,
                  fmt::format("at most {:.0f} values of {} / {}, and these are {:.0f}", most_values, swept.section,
-                             swept.name, n_values));
+                             swept.entry, n_values));
   else if (n_values == 0)
     entries.fail("Sweep", name_of_values,
                  fmt::format("a list like 0, 45, 90 or a range like 0:5:180 (first : step : last), {}",
-                             entries.units_of(swept.section, swept.name)));
+                             entries.units_of(swept.section, swept.entry)));
   entries.throw_problems();
   if (!is_range) return list;
   const double begin = list[0], step = list[1], end = list[2];
@@ -131,7 +122,7 @@ std::vector<double> sweep_values(const EntryReader& entries, const SweptEntry& s
 }
 
 struct SweptValues {
-  SweptEntry swept;
+  EntryPlace swept;
   std::vector<double> values;
 };
 
@@ -142,7 +133,7 @@ std::vector<SweptValues> swept_values(const EntryReader& entries) {
   all.push_back({first, sweep_values(entries, first, "Values")});
   if (!entries.given("Sweep", "Second entry")) return all;
   const auto second = swept_entry(entries, "Second entry");
-  if (first.section == second.section && first.name == second.name)
+  if (first.section == second.section && first.entry == second.entry)
     entries.fail("Sweep", "Second entry", "another one than the Entry");
   entries.throw_problems();
   all.push_back({second, sweep_values(entries, second, "Second values")});
@@ -154,8 +145,8 @@ std::vector<SweptValues> swept_values(const EntryReader& entries) {
 }
 
 /// Part of the name of a point of a sweep, "tangential-amplitude-1e-05".
-std::string slug_of(const SweptEntry& swept, double value) {
-  std::string slug = swept.name;
+std::string slug_of(const EntryPlace& swept, double value) {
+  std::string slug = swept.entry;
   std::transform(slug.begin(), slug.end(), slug.begin(),
                  [](unsigned char c) { return c == ' ' ? '-' : static_cast<char>(std::tolower(c)); });
   return fmt::format("{}-{:g}", slug, value);
@@ -164,9 +155,9 @@ std::string slug_of(const SweptEntry& swept, double value) {
 /// The case with each of the values in the place of the swept entry, of a map with each of both.
 std::vector<Case> cases_at(const std::vector<SweptValues>& all, ParsedFile parsed, Accuracy accuracy) {
   const auto family = case_name(parsed.file);
-  const auto full_name = [](const SweptEntry& swept) { return swept.section + " / " + swept.name; };
-  const auto set = [&](const SweptEntry& swept, double value) {
-    parsed.entries.set(swept.section, swept.name, fmt::format("{:.15g}", value));
+  const auto full_name = [](const EntryPlace& swept) { return swept.section + " / " + swept.entry; };
+  const auto set = [&](const EntryPlace& swept, double value) {
+    parsed.entries.set(swept.section, swept.entry, fmt::format("{:.15g}", value));
   };
   const bool is_map = all.size() > 1;
   std::vector<Case> cases;

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/case_file/elastomer_moduli.h"
-#include "comparison/case_file/mesh_entries.h"
 #include "comparison/data/aligned_trace.h"
 #include "comparison/data/master_curve.h"
 #include "comparison/data/path_table.h"
@@ -18,8 +16,6 @@
 
 namespace fretval {
 namespace {
-
-const double degrees = 180 / pi;
 
 /// Relaxation times belong to the reference temperature; the case may be at another one.
 void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer) {
@@ -166,10 +162,10 @@ void align_table(const EntryReader& entries, Case::Indenter& indenter, std::vect
   try {
     indenter.trace = read_aligned_trace(indenter.table, indenter.table_noise);
     const auto& trace = *indenter.trace;
-    notes.push_back(
-        fmt::format("{}: aligned: apex at {:.6g} ± {:.2g} m, tilt {:.4g} ± {:.2g} deg, heights {}, noise {:.2g} m",
-                    indenter.table, trace.apex, trace.apex_uncertainty, std::atan(trace.tilt) * degrees,
-                    trace.tilt_uncertainty * degrees, trace.heights_upwards ? "upwards" : "downwards", trace.noise));
+    notes.push_back(fmt::format(
+        "{}: aligned: apex at {:.6g} ± {:.2g} m, tilt {:.4g} ± {:.2g} deg, heights {}, noise {:.2g} m", indenter.table,
+        trace.apex, trace.apex_uncertainty, std::atan(trace.tilt) * degrees_per_radian,
+        trace.tilt_uncertainty * degrees_per_radian, trace.heights_upwards ? "upwards" : "downwards", trace.noise));
   } catch (const InputError& error) {
     entries.add_problem(error.what());
   }
@@ -253,8 +249,7 @@ Case::Body read_body(const EntryReader& entries, bool tangential) {
   body.is_bonded = entries.word(section, "Base") != "frictionless";
   if (!body.is_bonded && tangential)
     entries.fail(section, "Base",
-                 "bonded: nothing but a base to which it is bonded holds the body against the "
-                 "tangential motion");
+                 "bonded: nothing but a base to which it is bonded holds the body against the tangential motion");
   if (!body.is_bonded && body.grid && !has_level_base(*body.grid))
     entries.fail(section, "Base",
                  fmt::format("bonded: the base of {} is not level, on which it could slide", body.mesh));

@@ -1,11 +1,10 @@
-#include "comparison/case_file/elastomer_moduli.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "comparison/case_file/case_sections.h"
 #include "comparison/data/branches_file.h"
 
 namespace fretval {

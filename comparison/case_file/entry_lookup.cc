@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "comparison/support/closest.h"
+#include "comparison/case/case.h"
+#include "comparison/support/text.h"
+#include "mdr/support/trimmed.h"
 
 namespace fretval {
 namespace {
@@ -92,10 +94,9 @@ const EntryTraits* find_entry(const std::string& place) {
 }
 
 EntryPlace place_of(const std::string& text) {
-  const std::string between = " / ";
-  const auto at = text.find(between);
+  const auto at = text.find('/');
   if (at == std::string::npos) return {text, ""};
-  return {text.substr(0, at), text.substr(at + between.size())};
+  return {trimmed(text.substr(0, at)), trimmed(text.substr(at + 1))};
 }
 
 bool is_entry(const std::string& section, const std::string& name) {
@@ -138,14 +139,11 @@ std::string no_such_entry(const std::string& section, const std::string& name, P
 std::string entries_reference() {
   std::string text =
       "# Entries of a case file\n\n`fretval explain --entries` prints this page; `fretval new` writes a case file to "
-      "begin "
-      "with.\n\nA case file (`.prm`) has subsections of entries, `set NAME = VALUE`; what follows a # is a comment. "
-      "`include FILE` lines\nbefore the first subsection take over another file, whose entries may be set again. The "
-      "same "
-      "in JSON: sections as objects\nof entries, lists as arrays.\n\nNumbers may have a unit of what the entry "
-      "measures; "
-      "without one they are in the unit of the table. In a list each number\nhas a unit, or none, or the last one for "
-      "all.\n\n| measured in | also |\n| --- | --- |\n";
+      "begin with.\n\nA case file (`.prm`) has subsections of entries, `set NAME = VALUE`; what follows a # is a "
+      "comment. `include FILE` lines\nbefore the first subsection take over another file, whose entries may be set "
+      "again. The same in JSON: sections as objects\nof entries, lists as arrays.\n\nNumbers may have a unit of what "
+      "the entry measures; without one they are in the unit of the table. In a list each number\nhas a unit, or none, "
+      "or the last one for all.\n\n| measured in | also |\n| --- | --- |\n";
   for (const auto dimension : {D::length, D::frequency, D::pressure, D::time, D::angle, D::viscosity, D::force,
                                D::temperature, D::difference, D::wear_rate})
     text += fmt::format("| {} | {} |\n", base_unit(dimension), other_units(dimension));
@@ -161,6 +159,14 @@ std::string entries_reference() {
     }
   }
   return text;
+}
+
+void Problems::add(const std::string& message) {
+  if (std::find(messages.begin(), messages.end(), message) == messages.end()) messages.push_back(message);
+}
+
+void Problems::throw_if_any() const {
+  if (!messages.empty()) throw InputError(fmt::format("{}", fmt::join(messages, "\n")));
 }
 
 }  // namespace fretval

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "comparison/support/closest.h"
+#include "comparison/support/text.h"
 #include "mdr/support/trimmed.h"
 
 namespace fretval {

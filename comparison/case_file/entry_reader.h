@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "comparison/case_file/entry_lookup.h"
-#include "comparison/case_file/entry_texts.h"
-#include "comparison/case_file/problems.h"
+#include "comparison/case_file/file_entries.h"
 
 namespace fretval {
 

@@ -1,15 +1,14 @@
-#include "comparison/case_file/mesh_entries.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "comparison/case_file/case_sections.h"
 #include "comparison/case_file/units.h"
-#include "comparison/support/closest.h"
 #include "comparison/support/content_hash.h"
 #include "comparison/support/files.h"
+#include "comparison/support/text.h"
 #include "mdr/support/trimmed.h"
 #include "meshes/user_mesh.h"
 

@@ -7,8 +7,8 @@
 
 #include "comparison/case/case.h"
 #include "comparison/case_file/entry_lookup.h"
-#include "comparison/support/closest.h"
 #include "comparison/support/constants.h"
+#include "comparison/support/text.h"
 
 namespace fretval {
 namespace {
@@ -99,9 +99,8 @@ std::map<std::string, std::string> new_case_files(const std::string& stem, const
   };
   std::string text = fmt::format(
       "# A rigid indenter oscillates on an incompressible viscoelastic half-space. Numbers may have a unit; without "
-      "one "
-      "they\n# are SI, angles in degrees, frequencies in Hz. `fretval explain {0}.prm` says what the case is, `fretval "
-      "run\n# {0}.prm` computes it, `fretval explain --entries` lists every entry.\n\n",
+      "one they\n# are SI, angles in degrees, frequencies in Hz. `fretval explain {0}.prm` says what the case is, "
+      "`fretval run\n# {0}.prm` computes it, `fretval explain --entries` lists every entry.\n\n",
       stem);
   text += section_text("Indenter", with("Shape", choice.shape, shape_entries(choice.shape, stem)));
   text += section_text("Elastomer", with("Rheology", choice.rheology, rheology_entries(choice.rheology, stem)));

@@ -1,5 +1,3 @@
-#include "comparison/command_line/check_command.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -8,21 +6,15 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "comparison/command_line/exit_codes.h"
-#include "comparison/command_line/output_file.h"
-#include "comparison/command_line/run_command.h"
-#include "comparison/report/sections/exact_section.h"
-#include "comparison/report/sections/suite_section.h"
+#include "comparison/command_line/ending.h"
+#include "comparison/command_line/verbs.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/support/files.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "comparison/verification/exact/exact_rows.h"
-#include "comparison/verification/extremes/extreme_cases.h"
-#include "comparison/verification/random_cases/random_suite.h"
-#include "comparison/verification/small/small_suite.h"
-#include "comparison/verification/suite_json.h"
-#include "comparison/verification/suite_summary.h"
-#include "comparison/verification/tolerance/tolerance_cases.h"
+#include "comparison/verification/suite.h"
+#include "comparison/verification/suites.h"
 #include "fem/condensation/petsc_session.h"
 
 namespace fretval {

@@ -23,4 +23,10 @@ std::string unknown_verb(const CLI::App& app, const std::vector<std::string>& ar
 /// What is wrong with the first option that the parsed verb does not have; empty: it has them all.
 std::string unknown_option(const CLI::App& app, const std::vector<std::string>& arguments);
 
+/// The manual page fretval(1), made from the help texts of the command line.
+std::string man_page(const CLI::App& app);
+
+/// Script of bash that completes verbs, options and files of the command line.
+std::string bash_completion(const CLI::App& app);
+
 }  // namespace fretval

@@ -1,27 +1,20 @@
-#include "comparison/command_line/help_pages.h"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <boost/algorithm/string/replace.hpp>
 #include <sstream>
 #include <vector>
 
-#include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/commands.h"
+#include "comparison/command_line/ending.h"
 
 namespace fretval {
 namespace {
 
 /// Hyphens as they are typed, and no line that troff would take for a request.
 std::string troff(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '-')
-      escaped += "\\-";
-    else if (c == '\\')
-      escaped += "\\e";
-    else
-      escaped += c;
-  }
+  auto escaped = boost::replace_all_copy(text, "\\", "\\e");
+  boost::replace_all(escaped, "-", "\\-");
   return !escaped.empty() && (escaped[0] == '.' || escaped[0] == '\'') ? "\\&" + escaped : escaped;
 }
 

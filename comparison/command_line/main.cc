@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/ending.h"
 #include "comparison/command_line/program.h"
 
 int main(int argc, char** argv) {

@@ -1,13 +1,12 @@
-#include "comparison/command_line/mdr_command.h"
-
 #include <fmt/format.h>
 
 #include <utility>
 
 #include "comparison/case/plausibility.h"
 #include "comparison/case_file/case_file.h"
-#include "comparison/command_line/exit_codes.h"
-#include "comparison/quantities/readings_json.h"
+#include "comparison/command_line/ending.h"
+#include "comparison/command_line/verbs.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/answer_text.h"

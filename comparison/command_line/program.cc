@@ -12,9 +12,7 @@
 
 #include "comparison/case/case.h"
 #include "comparison/command_line/commands.h"
-#include "comparison/command_line/exit_codes.h"
-#include "comparison/command_line/failure.h"
-#include "comparison/command_line/interrupt.h"
+#include "comparison/command_line/ending.h"
 #include "comparison/support/log.h"
 #include "comparison/support/ranks.h"
 #include "comparison/support/versions.h"
@@ -56,8 +54,7 @@ int run_program(int argc, char** argv) {
   CLI::App app{
       "fretval: do finite elements confirm what the method of dimensionality reduction predicts for fretting on an "
       "elastomer, how closely, and at what cost?\nThe method of dimensionality reduction (MDR): V. L. Popov and M. "
-      "Hess, "
-      "Method of Dimensionality Reduction in Contact Mechanics and Friction, Springer 2015."};
+      "Hess, Method of Dimensionality Reduction in Contact Mechanics and Friction, Springer 2015."};
   app.set_version_flag("--version", version_text());
   app.footer(fmt::format("Exit codes:\n{}", exit_codes_text));
   app.require_subcommand(1);

@@ -1,5 +1,3 @@
-#include "comparison/command_line/run_command.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,23 +9,19 @@
 
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/case_file/case_file.h"
-#include "comparison/case_file/problems.h"
-#include "comparison/command_line/exit_codes.h"
-#include "comparison/command_line/failure.h"
-#include "comparison/command_line/interrupt.h"
-#include "comparison/command_line/output_file.h"
+#include "comparison/case_file/entry_lookup.h"
+#include "comparison/command_line/ending.h"
 #include "comparison/command_line/terminal.h"
+#include "comparison/command_line/verbs.h"
 #include "comparison/report/report.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/changes.h"
 #include "comparison/results/data_text.h"
 #include "comparison/run/batch.h"
 #include "comparison/run/estimate.h"
-#include "comparison/run/kept_results.h"
-#include "comparison/run/ranked_batch.h"
 #include "comparison/run/sweep_line.h"
 #include "comparison/support/files.h"
-#include "comparison/support/folder_lock.h"
+#include "comparison/support/folders.h"
 #include "comparison/support/junit.h"
 #include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
@@ -132,7 +126,7 @@ std::vector<StoredResult> baseline_of(const fs::path& folder, const std::vector<
   for (const auto& one : prepared) names.insert(one.input.name);
   std::vector<StoredResult> baseline;
   for (auto& result : read_results(folder))
-    if (names.erase(result.json.at("name")) > 0) baseline.push_back(std::move(result));
+    if (names.erase(result.name()) > 0) baseline.push_back(std::move(result));
   if (baseline.empty())
     throw InputError(fmt::format("--baseline {}: has none of the cases; expected results of the same names, as {}",
                                  folder.string(), prepared.front().input.name));
@@ -215,6 +209,12 @@ std::vector<BatchLine> all_lines(KeptLines kept, std::vector<BatchLine> computed
 }
 
 }  // namespace
+
+void prepare_output_file(const char* option, const std::string& file) {
+  if (fs::is_directory(file))
+    throw InputError(fmt::format("{}: is a folder; {} expects the name of a file", file, option));
+  if (const auto folder = fs::path(file).parent_path(); !folder.empty()) fs::create_directories(folder);
+}
 
 int run_cases(const RunOptions& options) {
   Stopwatch watch;

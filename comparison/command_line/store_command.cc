@@ -1,5 +1,3 @@
-#include "comparison/command_line/store_command.h"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -7,9 +5,10 @@
 #include <CLI/CLI.hpp>
 
 #include "comparison/case/case.h"
-#include "comparison/command_line/exit_codes.h"
+#include "comparison/command_line/ending.h"
+#include "comparison/command_line/verbs.h"
 #include "comparison/simulation/bodies/operator_key.h"
-#include "comparison/support/cache_folder.h"
+#include "comparison/support/folders.h"
 
 namespace fretval {
 namespace {

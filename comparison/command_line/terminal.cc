@@ -26,7 +26,7 @@ void print_sweep(const std::vector<StoredResult>& results) {
   constexpr std::size_t most_rows = 60;
   const bool is_one = results.size() > 1 && results.size() <= most_rows &&
                       std::all_of(results.begin(), results.end(), [&](const auto& r) {
-                        return r.json.at("scene").contains("sweep") && r.family() == results.front().family();
+                        return !r.sweep().empty() && r.family() == results.front().family();
                       });
   if (is_one) fmt::print("\n{}\n", text_of(sweep_rows(results)));
 }

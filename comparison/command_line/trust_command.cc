@@ -1,5 +1,3 @@
-#include "comparison/command_line/trust_command.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/case_file/case_file.h"
-#include "comparison/command_line/exit_codes.h"
-#include "comparison/command_line/output_file.h"
+#include "comparison/command_line/ending.h"
+#include "comparison/command_line/verbs.h"
 #include "comparison/report/report.h"
 #include "comparison/support/files.h"
-#include "comparison/support/json.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "comparison/trust/ladder_text.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <optional>
 
 #include "comparison/support/constants.h"
 #include "mdr/rheology/kramers_kronig.h"

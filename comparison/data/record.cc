@@ -1,11 +1,9 @@
-#include "comparison/data/record.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
+#include "comparison/data/path_table.h"
 #include "mdr/motion/mean_cycle.h"
 
 namespace fretval {

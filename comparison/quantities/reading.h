@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -53,5 +54,12 @@ Quantities errors_of(const Quantities& values, const Quantities& reference);
 
 /// The largest of the errors; NaN if there are none.
 double largest_of(const Quantities& errors);
+
+/// Adds the value of each reading under the name of its quantity, null for none, in the order in which people ask for
+/// them; `uncertainty` and `absent` hold, by quantity, the uncertainties and why there is no value.
+void add_readings(const Readings& readings, nlohmann::ordered_json& json);
+
+/// The reading of a quantity in the "fe" or "mdr" of a result.json, or of `fretval mdr --json`. Empty: it is not there.
+std::optional<Reading> stored_reading(const nlohmann::ordered_json& method, Quantity quantity);
 
 }  // namespace fretval

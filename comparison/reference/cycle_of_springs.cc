@@ -1,6 +1,5 @@
 #include "comparison/reference/cycle_of_springs.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace fretval {
@@ -76,12 +75,6 @@ void divide_works(double displacement, CycleReadings& cycle) {
   }
   cycle.sliding_work /= displacement;
   cycle.readings.at(bulk).value = normal_loss + cycle.value(loop) - cycle.value(friction);
-}
-
-nlohmann::ordered_json errors_json(const CycleReadings& cycle) {
-  return {{"force", cycle.uncertainty(Quantity::tangential_force_mean)},
-          {"work", cycle.uncertainty(Quantity::friction_work)},
-          {"loop", cycle.uncertainty(Quantity::tangential_work)}};
 }
 
 }  // namespace fretval

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "comparison/reference/mdr_values.h"
@@ -40,9 +39,6 @@ void leave_out_unknown_force(const MdrCase& mdr, CycleReadings& cycle);
 /// Turns the cycle of an incompressible body into that of the body of the case (see incompressible_case), whose
 /// tangential displacements are over `displacement`.
 void divide_works(double displacement, CycleReadings& cycle);
-
-/// Errors of springs in result.json and in `fretval mdr --json`.
-nlohmann::ordered_json errors_json(const CycleReadings& cycle);
 
 /// Takes over stick radii and the largest indentation of a response that was stepped under forces, with their errors.
 template <class Response>

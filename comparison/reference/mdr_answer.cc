@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "comparison/reference/cycle_of_springs.h"
-#include "comparison/reference/gross_slip.h"
 #include "comparison/reference/layer_answer.h"
+#include "comparison/reference/mdr_case.h"
 #include "comparison/reference/plane_answer.h"
 #include "comparison/support/cycles_until.h"
 #include "mdr/springs/path_response.h"

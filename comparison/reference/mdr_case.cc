@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <limits>
-#include <string>
 
 #include "comparison/reference/incompressible_case.h"
 #include "comparison/scene/scene.h"
@@ -255,6 +255,22 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (input.wear == Case::Wear::limiting) mdr.limiting = limiting_of(input, mdr);
   if (amplitude_follows) mdr.motion.tangential.front().amplitude = amplitude_for_shakedown(input, mdr);
   return mdr;
+}
+
+std::optional<double> steady_sliding_share(const MdrCase& mdr) {
+  const auto& motion = mdr.motion;
+  const bool one_each = motion.normal.size() == 1 && motion.tangential.size() == 1;
+  if (mdr.path || !mdr.normal_force || !mdr.tangential_force || !one_each) return std::nullopt;
+  const auto &normal = motion.normal.front(), &tangential = motion.tangential.front();
+  const double carried = mdr.friction_coefficient * normal.amplitude;
+  double demanded = tangential.amplitude + carried;
+  if (motion.phase_locked && normal.amplitude > 0) {
+    if (normal.frequency != tangential.frequency) return std::nullopt;
+    const auto force = std::polar(tangential.amplitude, tangential.phase - normal.phase);
+    demanded = std::max(std::abs(force + carried), std::abs(force - carried));
+  }
+  if (demanded == 0) return std::nullopt;
+  return mdr.friction_coefficient * motion.indentation / demanded;
 }
 
 }  // namespace fretval

@@ -184,9 +184,8 @@ ordered_json wear_json(const Case& input) {
   if (!kinetics)
     throw InputError(
         fmt::format("{}: Wear / Cycles = {:g}: springs have the course of wear of an unworn indenter under one "
-                    "oscillation in each direction, "
-                    "of the same frequency and locked, by the laws archard and energy; leave it out, or let finite "
-                    "elements run it (fretval run)",
+                    "oscillation in each direction, of the same frequency and locked, by the laws archard and energy; "
+                    "leave it out, or let finite elements run it (fretval run)",
                     input.file, *input.wear_kinetics->n_cycles));
   return to_json(*kinetics);
 }
@@ -205,8 +204,8 @@ void require_printable(const Case& input, bool with_springs, double displacement
         "{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out", input.file));
   if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
     throw InputError(
-        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are "
-                    "printed for 0.5; `fretval run` takes any",
+        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are printed "
+                    "for 0.5; `fretval run` takes any",
                     input.file, input.elastomer.poisson_ratio));
 }
 

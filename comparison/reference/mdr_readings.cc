@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "comparison/quantities/readings_json.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/reference/cycle_of_springs.h"
 
 namespace fretval {
@@ -68,7 +68,10 @@ nlohmann::ordered_json to_json(const MdrAnswer& answer) {
                                                     ? nlohmann::ordered_json(nullptr)
                                                     : nlohmann::ordered_json(answer.modulus_ratio)}};
   add_readings(readings_of(answer), json);
-  if (answer.cycle) json["cycle_error"] = errors_json(*answer.cycle);
+  if (const auto& cycle = answer.cycle)
+    json["cycle_error"] = {{"force", cycle->uncertainty(Quantity::tangential_force_mean)},
+                           {"work", cycle->uncertainty(Quantity::friction_work)},
+                           {"loop", cycle->uncertainty(Quantity::tangential_work)}};
   if (const auto& settling = answer.cycles_to_shakedown) json["cycles_to_shakedown_error"] = settling->error;
   if (answer.stepping_error > 0) json["stepping_error"] = answer.stepping_error;
   if (answer.steady_sliding_share) json["steady_sliding_share"] = *answer.steady_sliding_share;

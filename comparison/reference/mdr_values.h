@@ -63,7 +63,7 @@ struct MdrAnswer {
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, of springs stepped in time; 0: closed form
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
-  std::optional<double> steady_sliding_share = {};      ///< see steady_sliding_share() of gross_slip.h
+  std::optional<double> steady_sliding_share = {};      ///< see steady_sliding_share() of mdr_case.h
   MotionKind motion_kind = MotionKind::cycles;
   /// What an answer has by the indenter, or where all of its contact slides.
   std::variant<UnwornAnswer, LimitingAnswer, GrossSlipShare> of_kind = {};

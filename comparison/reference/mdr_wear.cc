@@ -8,7 +8,6 @@
 #include "mdr/profiles/profile.h"
 
 namespace fretval {
-
 namespace {
 
 /// Stick radius that is taken where nothing sticks, over the contact radius.
@@ -28,6 +27,12 @@ WearLimits limits_on_layer(const MdrCase& mdr, const MdrAnswer& answer) {
   const bool grows = state && state->stick_radius > (1 + uncertain) * answer.stick_radius_shakedown.value_or(0);
   return {limit(mdr::StickCriterion::shakedown, deepest), limit(mdr::StickCriterion::first_slip, deepest),
           !grows && (state || !mdr.has_forces())};
+}
+
+template <class Profile>
+WearLimit limit_of(const Profile& profile) {
+  return {profile.stick_radius, profile.maximum_indentation, profile.outer_radius, mdr::worn_volume(profile),
+          [profile](double r) { return mdr::shape(profile, r); }};
 }
 
 }  // namespace
@@ -78,6 +83,14 @@ nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics) {
   json["r"] = list(kinetics.radius);
   json["worn_depth"] = list(kinetics.worn_depth);
   return json;
+}
+
+WearLimit wear_limit(const mdr::LimitingProfile& profile) {
+  return limit_of(profile);
+}
+
+WearLimit wear_limit(const mdr::LayerLimitingProfile& profile) {
+  return limit_of(profile);
 }
 
 }  // namespace fretval

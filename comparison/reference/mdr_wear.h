@@ -1,14 +1,25 @@
 #pragma once
 
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 
 #include "comparison/case/case.h"
 #include "comparison/reference/mdr_answer.h"
-#include "comparison/reference/wear_limit.h"
+#include "mdr/layer/layer_limiting_profile.h"
+#include "mdr/stick/limiting_profile.h"
 #include "mdr/wear/wear_kinetics.h"
 
 namespace fretval {
+
+/// A limiting profile, of a half-space or of a layer. SI units.
+struct WearLimit {
+  double stick_radius, maximum_indentation, outer_radius;
+  double volume;                         ///< worn off up to this profile
+  std::function<double(double)> height;  ///< height in m at a radius in m
+};
+WearLimit wear_limit(const mdr::LimitingProfile& profile);
+WearLimit wear_limit(const mdr::LayerLimitingProfile& profile);
 
 /// The profiles to which the wear of a case tends, for the stick radii of shakedown and of first slip. Where nothing
 /// sticks a stick radius of a millionth of the contact radius is taken: all that the largest indentation reaches is

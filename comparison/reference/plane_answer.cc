@@ -10,7 +10,6 @@
 #include "mdr/rheology/rheology.h"
 #include "mdr/springs/path_history.h"
 #include "mdr/springs/spring_step.h"
-#include "mdr/support/constants.h"
 
 namespace fretval {
 namespace {

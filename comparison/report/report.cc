@@ -9,19 +9,7 @@
 #include "comparison/case/case.h"
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
-#include "comparison/report/sections/case_section.h"
-#include "comparison/report/sections/cost_section.h"
-#include "comparison/report/sections/exact_section.h"
-#include "comparison/report/sections/forces_section.h"
-#include "comparison/report/sections/heading.h"
-#include "comparison/report/sections/scene_section.h"
-#include "comparison/report/sections/suite_section.h"
-#include "comparison/report/sections/surface_wear_section.h"
-#include "comparison/report/sections/sweep_section.h"
-#include "comparison/report/sections/trade_section.h"
-#include "comparison/report/sections/trust_section.h"
-#include "comparison/report/sections/verdict_section.h"
-#include "comparison/report/sections/wear_section.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/page.h"
 #include "comparison/report/text/table.h"
@@ -59,7 +47,7 @@ RadiiFindings radii_findings(const Results& results) {
           std::max(found.never_slipped_from_first_slip, std::abs(never - first_slip) / a);
     if (std::abs(steady - first_slip) / a > found.steady_from_first_slip) {
       found.steady_from_first_slip = std::abs(steady - first_slip) / a;
-      found.where = r.json.at("name").get<std::string>();
+      found.where = r.name();
     }
   }
   return found;
@@ -115,10 +103,9 @@ Filling limiting_section(const Results& results) {
   for (const auto& r : results) {
     if (!r.swept_over("Wear / Stick radius ratio")) continue;
     const auto fe = [&](const char* key) { return r.number("fe", key); };
-    table.rows.push_back({r.json.at("name").get<std::string>(), fmt::format("{:.6f}", fe("limiting_amplitude")),
-                          bar_text(r, "limiting_amplitude"), number_text(fe("slip_inside_stick_zone")),
-                          number_text(fe("force_outside_stick_zone")), difference_text(r, "normal_force_max"),
-                          fmt::format("{:.6f} d max", fe("touch_indentation")),
+    table.rows.push_back({r.name(), fmt::format("{:.6f}", fe("limiting_amplitude")), bar_text(r, "limiting_amplitude"),
+                          number_text(fe("slip_inside_stick_zone")), number_text(fe("force_outside_stick_zone")),
+                          difference_text(r, "normal_force_max"), fmt::format("{:.6f} d max", fe("touch_indentation")),
                           length_text(r, "scene", "contact_radius_unworn"), length_text(r, "mdr", "worn_radius")});
   }
   return {{"template", "limiting"}, {"figures", filling_of(figures)}, {"table", filling_of(table)}};
@@ -140,7 +127,7 @@ Filling motions_section(const Results& results) {
                "c shakedown, MDR", "finite elements", "± bar over a"}};
   for (const auto& r : results) {
     if (r.has_one_frequency()) continue;
-    table.rows.push_back({r.json.at("name").get<std::string>(), frequencies_text(r, "normal_harmonics", "frequency"),
+    table.rows.push_back({r.name(), frequencies_text(r, "normal_harmonics", "frequency"),
                           frequencies_text(r, "tangential_harmonics", "tangential_frequency"),
                           length_text(r, "scene", "contact_radius_unworn")});
     for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
@@ -167,10 +154,10 @@ Filling all_cases_section(const Results& results) {
   for (const auto& r : results) {
     const auto outcome = stored_outcome(r.json);
     const auto length = [&](const char* side, const char* key) { return length_text(r, side, key); };
-    table.rows.push_back({r.json.at("name").get<std::string>(), length("scene", "contact_radius_unworn"),
-                          length("mdr", "stick_radius_first_slip"), length("fe", "stick_radius_first_slip"),
-                          length("mdr", "stick_radius_shakedown"), length("fe", "stick_radius_shakedown"),
-                          difference_text(r, "contact_radius_max"), difference_text(r, "normal_force_max"),
+    table.rows.push_back({r.name(), length("scene", "contact_radius_unworn"), length("mdr", "stick_radius_first_slip"),
+                          length("fe", "stick_radius_first_slip"), length("mdr", "stick_radius_shakedown"),
+                          length("fe", "stick_radius_shakedown"), difference_text(r, "contact_radius_max"),
+                          difference_text(r, "normal_force_max"),
                           bad_if(outcome == Outcome::disagree, name_of(outcome))});
   }
   return {{"template", "all_cases"}, {"long", results.size() > most_on_paper}, {"table", filling_of(table)}};

@@ -8,8 +8,9 @@
 
 #include "comparison/case/table_noise.h"
 #include "comparison/data/motion_kind.h"
-#include "comparison/quantities/readings_json.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/support/json.h"
 #include "comparison/support/log.h"
 
 namespace fretval {
@@ -23,11 +24,6 @@ constexpr std::size_t most_listed = 3;  // all others are counted
 double without_roundoff_of_one(double value) {
   constexpr double roundoff = 1e-6;
   return std::abs(value) < roundoff ? 0 : value;
-}
-
-std::optional<double> number_in(const ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
 }
 
 /// ", 56 h at 1 Hz"; nothing where a cycle is not that of one frequency.
@@ -189,8 +185,9 @@ std::string model_text(const ordered_json& result) {
   if (model == result.end()) return "";
   if (model->contains("outside"))
     return fmt::format("as a model: outside the map ({})", model->at("outside").get<std::string>());
-  if (!model->at("good_to").is_number()) return "";
-  auto text = fmt::format("as a model MDR is good to about {} %", percent_text(model->at("good_to").get<double>(), 1));
+  const auto good_to = number_in(*model, "good_to");
+  if (!good_to) return "";
+  auto text = fmt::format("as a model MDR is good to about {} %", percent_text(*good_to, 1));
   const char* mark = ": off by ";
   for (const auto quantity : mapped_quantities)
     if (const auto found = model->at("mdr_off_by").find(name_of(quantity)); found != model->at("mdr_off_by").end()) {
@@ -254,8 +251,7 @@ Answer answer_of(const ordered_json& result) {
 std::string beyond_text(const ordered_json& not_compared) {
   std::string text;
   const auto length = [](const ordered_json& value) {
-    const auto [prefix, factor] = prefix_for(value.get<double>());
-    return value == 0.0 ? "0" : fmt::format("{:.4g} {}m", value.get<double>() / factor, prefix);
+    return value == 0.0 ? "0" : with_prefix(value.get<double>(), "m", 4);
   };
   const auto& falls = not_compared.at("image_falls");
   const auto noise = number_in(not_compared, "table_noise");
@@ -275,8 +271,7 @@ std::string beyond_text(const ordered_json& not_compared) {
 std::string annuli_text(const ordered_json& annuli) {
   std::string text;
   const auto end = [](const ordered_json& annulus, const char* key, const char* bar) {
-    const double width = annulus.at(bar).is_number() ? annulus.at(bar).get<double>() : 0;
-    return with_unit(annulus.at(key).get<double>(), width, "m");
+    return with_unit(annulus.at(key).get<double>(), number_in(annulus, bar).value_or(0), "m");
   };
   for (std::size_t k = 0; k < std::min(annuli.size(), most_listed); ++k) {
     const auto& annulus = annuli[k];

@@ -104,11 +104,8 @@ void add_body(const Case::Body& body, Inputs& inputs) {
 /// "5 µm at 2 Hz, phase 30°" of each.
 std::vector<std::string> texts_of(const std::vector<Case::Harmonic>& harmonics, const char* unit) {
   std::vector<std::string> texts;
-  for (const auto& [amplitude, frequency, phase] : harmonics) {
-    const auto [prefix, factor] = prefix_for(amplitude);
-    texts.push_back(
-        fmt::format("{:.6g} {}{} at {:g} Hz, phase {:g}°", amplitude / factor, prefix, unit, frequency, phase));
-  }
+  for (const auto& [amplitude, frequency, phase] : harmonics)
+    texts.push_back(fmt::format("{} at {:g} Hz, phase {:g}°", with_prefix(amplitude, unit, 6), frequency, phase));
   return texts;
 }
 
@@ -221,8 +218,7 @@ std::string input_text(const ordered_json& value, const std::string& unit, int d
   if (unit.empty() || unit == "°") return fmt::format("{:.{}g}{}", number, digits, unit);
   if (unit == "degC") return fmt::format("{:.{}g} °C", number, digits);
   if (!takes_prefixes(unit) || number == 0) return fmt::format("{:.{}g} {}", number, digits, unit);
-  const auto [prefix, factor] = prefix_for(number);
-  return fmt::format("{:.{}g} {}{}", number / factor, digits, prefix, unit);
+  return with_prefix(number, unit, digits);
 }
 
 }  // namespace fretval

@@ -3,20 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/data/path_table.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
-#include "comparison/results/data_files.h"
-#include "comparison/results/field_files.h"
-#include "comparison/results/moduli_files.h"
 #include "comparison/results/period_steps.h"
-#include "comparison/results/surface_files.h"
-#include "comparison/results/surface_wear_json.h"
-#include "comparison/results/wear_json.h"
-#include "comparison/simulation/fem_case/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution.h"
 #include "comparison/support/files.h"
 #include "comparison/support/versions.h"
 

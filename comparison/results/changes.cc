@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "comparison/quantities/readings_json.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -20,9 +20,7 @@ using nlohmann::ordered_json;
 
 double bar_in(const StoredResult& result, const char* key) {
   const auto& comparison = result.json.at("comparison");
-  if (!comparison.contains(key)) return 0;
-  const auto& bar = comparison[key].value("error_bar", ordered_json());
-  return bar.is_number() ? bar.get<double>() : 0;
+  return comparison.contains(key) ? number_in(comparison[key], "error_bar").value_or(0) : 0;
 }
 
 std::optional<Change> change_of(const StoredResult& before, const StoredResult& after, Quantity quantity) {
@@ -32,7 +30,7 @@ std::optional<Change> change_of(const StoredResult& before, const StoredResult& 
   };
   const auto old = reading(before), now = reading(after);
   if (!old.value && !now.value) return std::nullopt;
-  Change change{after.json.at("name").get<std::string>(), quantity, old.value, now.value};
+  Change change{after.name(), quantity, old.value, now.value};
   change.bars = bar_in(before, key) + bar_in(after, key);
   if (old.value != now.value) change.difference = difference_of(quantity, now, old, scales_of(before.json)).value_or(1);
   return change;
@@ -58,8 +56,8 @@ void add_inputs(const StoredResult& before, const StoredResult& after, std::vect
   };
   for (const auto& [entry, unused] : entries)
     if (text_in(olds, entry) != text_in(news, entry))
-      inputs.push_back(fmt::format("{}: {}: {} -> {}", after.json.at("name").get<std::string>(), entry,
-                                   text_in(olds, entry), text_in(news, entry)));
+      inputs.push_back(
+          fmt::format("{}: {}: {} -> {}", after.name(), entry, text_in(olds, entry), text_in(news, entry)));
 }
 
 std::string value_text(const Change& change, const std::optional<double>& value) {
@@ -101,10 +99,10 @@ std::string Changes::of_case(const std::string& name) const {
 
 Changes changes_between(const std::vector<StoredResult>& before, const std::vector<StoredResult>& after) {
   std::map<std::string, const StoredResult*> olds;
-  for (const auto& result : before) olds[result.json.at("name").get<std::string>()] = &result;
+  for (const auto& result : before) olds[result.name()] = &result;
   Changes changes;
   for (const auto& result : after) {
-    const auto name = result.json.at("name").get<std::string>();
+    const auto name = result.name();
     const auto old = olds.find(name);
     if (old == olds.end()) {
       changes.only_after.push_back(name);

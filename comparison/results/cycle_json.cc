@@ -1,12 +1,10 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdlib>
 
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/period_steps.h"
-#include "comparison/results/ring_zone.h"
 #include "comparison/support/constants.h"
 #include "fem/ring_contact/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"

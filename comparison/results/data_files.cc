@@ -1,12 +1,13 @@
-#include "comparison/results/data_files.h"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
 
+#include "comparison/quantities/reading.h"
+#include "comparison/results/case_result.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/files.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 using nlohmann::ordered_json;
 using Values = std::vector<double>;
+using Value = Case::Measured::Value;
 
 constexpr std::size_t most_rows = 2000;
 
@@ -50,11 +52,10 @@ Values residuals_of(const Case::AlignedTrace& trace) {
 }
 
 ordered_json trace_json(const Case::AlignedTrace& trace) {
-  const double degrees = 180 / pi;
   return {{"apex", trace.apex},
           {"apex_uncertainty", trace.apex_uncertainty},
-          {"tilt", std::atan(trace.tilt) * degrees},
-          {"tilt_uncertainty", trace.tilt_uncertainty * degrees},
+          {"tilt", std::atan(trace.tilt) * degrees_per_radian},
+          {"tilt_uncertainty", trace.tilt_uncertainty * degrees_per_radian},
           {"noise", trace.noise},
           {"heights", trace.heights_upwards ? "upwards" : "downwards"},
           {"rows", trace.x.size()}};
@@ -80,6 +81,54 @@ ordered_json test_json(const Case::TestDuration& test) {
           {"merged_branches", test.n_fast},
           {"merging_error", test.merging_error},
           {"near_times", test.near_times}};
+}
+
+const double radians_per_cycle = 2 * pi;
+constexpr Eigen::Index n_frequencies = 121;
+
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::vector<double> frequencies_of_interest(const Case& input, const mdr::PronyBody& body) {
+  std::vector<double> all;
+  for (const double time : body.branch_times) all.push_back(1 / (radians_per_cycle * time));
+  if (body.viscosity > 0) all.push_back(body.relaxed_modulus / (radians_per_cycle * body.viscosity));
+  if (!input.motion.path) all.insert(all.end(), {input.motion.normal_frequency, input.motion.tangential_frequency});
+  if (const auto& curve = input.elastomer.master_curve)
+    all.insert(all.end(), curve->frequency.begin(), curve->frequency.end());
+  return all;
+}
+
+/// Area of a closed loop by trapezoids.
+double area_of(const std::vector<double>& x, const std::vector<double>& y) {
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const std::size_t next = (i + 1) % x.size();
+    sum += (x[next] - x[i]) * (y[i] + y[next]) / 2;
+  }
+  return std::abs(sum);
+}
+
+double largest_of_all(const std::vector<double>& values, bool absolute) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, absolute ? std::abs(value) : value);
+  return largest;
+}
+
+std::map<Quantity, Value> values_of(const Case& input) {
+  const auto& measured = *input.measured;
+  const auto kind = motion_kind_of(input.motion);
+  std::map<Quantity, Value> values;
+  if (measured.stick_radius) values[lasting_stick_radius(kind)] = *measured.stick_radius;
+  if (measured.contact_radius) values[Quantity::contact_radius_max] = *measured.contact_radius;
+  if (!measured.normal_force.empty())
+    values[Quantity::normal_force_max] = {largest_of_all(measured.normal_force, false), 0};
+  if (!measured.tangential_force.empty())
+    values[Quantity::tangential_force_max] = {largest_of_all(measured.tangential_force, true), 0};
+  if (!is_pass(kind) && !measured.tangential_force.empty() && !measured.tangential_displacement.empty())
+    values[Quantity::tangential_work] = {area_of(measured.tangential_displacement, measured.tangential_force), 0};
+  return values;
 }
 
 }  // namespace
@@ -110,6 +159,41 @@ ordered_json data_json(const Case& input) {
   if (const auto& test = input.elastomer.test_duration) json["test_duration"] = test_json(*test);
   if (input.elastomer.shore_a)
     json["hardness"] = {{"shore_a", *input.elastomer.shore_a}, {"scatter", input.elastomer.modulus_scatter}};
+  return json;
+}
+
+void write_moduli(const Case& input, const mdr::PronyBody& body, const std::filesystem::path& folder) {
+  if (body.branch_times.empty() && !(body.viscosity > 0)) return;
+  const auto all = frequencies_of_interest(input, body);
+  const auto [least, most] = std::minmax_element(all.begin(), all.end());
+  const Eigen::VectorXd f =
+      Eigen::ArrayXd::LinSpaced(n_frequencies, std::log(*least / 10), std::log(*most * 10)).exp().matrix();
+  Eigen::VectorXd storage(n_frequencies), loss(n_frequencies);
+  for (Eigen::Index i = 0; i < n_frequencies; ++i) {
+    const auto modulus = mdr::complex_modulus(body, radians_per_cycle * f[i]);
+    storage[i] = modulus.real();
+    loss[i] = modulus.imag();
+  }
+  write_csv(folder / "moduli.csv", {{"f [Hz]", f}, {"G' [Pa]", storage}, {"G'' [Pa]", loss}});
+  if (const auto& curve = input.elastomer.master_curve)
+    write_csv(folder / "measured_moduli.csv", {{"f [Hz]", vector_of(curve->frequency)},
+                                               {"G' [Pa]", vector_of(curve->storage)},
+                                               {"G'' [Pa]", vector_of(curve->loss)}});
+}
+
+ordered_json measured_json(const Case& input, const ordered_json& fe, const ordered_json& mdr) {
+  if (!input.measured) return nullptr;
+  ordered_json json = ordered_json::object();
+  for (const auto& [quantity, measured] : values_of(input)) {
+    auto& one = json[name_of(quantity)] = {{"value", measured.value}, {"uncertainty", measured.uncertainty}};
+    for (const auto& [method, answer] : {std::pair{"fe", &fe}, std::pair{"mdr", &mdr}}) {
+      const auto reading = stored_reading(*answer, quantity);
+      const bool has_value = reading && reading->value;
+      one[method] = has_value ? ordered_json(*reading->value) : ordered_json(nullptr);
+      one[std::string(method) + "_difference"] =
+          has_value ? ordered_json(*reading->value - measured.value) : ordered_json(nullptr);
+    }
+  }
   return json;
 }
 

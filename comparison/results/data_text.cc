@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <stdexcept>
 #include <utility>
 
 #include "comparison/accuracy/data_shares.h"
@@ -19,11 +17,6 @@ constexpr double longer = 3;
 
 std::string data_row(const std::string& title, const std::string& text) {
   return fmt::format("  {:<13}{}\n", title, text);
-}
-
-std::string rounded(double value, const std::string& unit) {
-  const auto [prefix, factor] = prefix_for(value);
-  return fmt::format("{:.3g} {}{}", value / factor, prefix, unit);
 }
 
 Readings mdr_readings(const Case& input) {
@@ -53,9 +46,10 @@ std::pair<std::string, std::string> effects_of_duration(const Case& input) {
 
 std::string test_text(const Case& input) {
   const auto& test = *input.elastomer.test_duration;
-  std::string text = fmt::format("{}: {} of {} branches are slower and count as springs, G = {} instead of G'(0) = {}",
-                                 rounded(test.seconds, "s"), test.n_slow, test.branch_times.size(),
-                                 rounded(input.elastomer.relaxed_modulus, "Pa"), rounded(test.relaxed_modulus, "Pa"));
+  std::string text =
+      fmt::format("{}: {} of {} branches are slower and count as springs, G = {} instead of G'(0) = {}",
+                  with_prefix(test.seconds, "s"), test.n_slow, test.branch_times.size(),
+                  with_prefix(input.elastomer.relaxed_modulus, "Pa"), with_prefix(test.relaxed_modulus, "Pa"));
   if (test.n_fast > 0)
     text += fmt::format("; {} others are merged, which changes the complex modulus by {:.1e} at most", test.n_fast,
                         test.merging_error);
@@ -65,7 +59,7 @@ std::string test_text(const Case& input) {
 std::string near_text(const Case::TestDuration& test) {
   if (test.near_times.empty()) return "no branch relaxes in a third to three times of it";
   std::string times;
-  for (const double time : test.near_times) times += (times.empty() ? "" : ", ") + rounded(time, "s");
+  for (const double time : test.near_times) times += (times.empty() ? "" : ", ") + with_prefix(time, "s");
   return fmt::format("near it: {} of relaxation", times);
 }
 

@@ -1,12 +1,10 @@
-#include "comparison/results/field_files.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "comparison/results/case_result.h"
 #include "comparison/results/period_steps.h"
-#include "comparison/results/ring_zone.h"
 #include "comparison/support/files.h"
 #include "comparison/support/parallel.h"
 #include "fem/condensation/vtu_file.h"

@@ -1,23 +1,16 @@
 #include <sys/resource.h>
 
-#include <cmath>
-
 #include "comparison/accuracy/fe_readings.h"
-#include "comparison/case_file/mesh_entries.h"
-#include "comparison/quantities/readings_json.h"
+#include "comparison/case_file/case_sections.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/reference/mdr_document.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/sensitivity.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/case_result.h"
-#include "comparison/results/data_files.h"
-#include "comparison/results/measured_values.h"
 #include "comparison/results/results_folder.h"
-#include "comparison/results/surface_wear_json.h"
-#include "comparison/results/wear_json.h"
-#include "comparison/results/zones_json.h"
-#include "comparison/simulation/fem_case/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/json.h"
 #include "mdr/motion/force_control.h"

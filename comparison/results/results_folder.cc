@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "comparison/case/case.h"
+#include "comparison/support/json.h"
 #include "comparison/support/parallel.h"
 
 namespace fretval {
@@ -137,29 +138,18 @@ std::vector<std::string> split(const std::string& line) {
 }  // namespace
 
 double StoredResult::number(const char* section, const char* key) const {
-  const auto& part = json.at(section);
-  if (!part.contains(key) || !part[key].is_number()) return std::nan("");
-  return part[key].get<double>();
+  return number_or_nan(json.at(section), key);
 }
 
 std::string StoredResult::text(const char* section, const char* key) const {
   return json.at(section).value(key, std::string());
 }
 
-bool StoredResult::swept_over(const char* entry) const {
+const ordered_json& StoredResult::sweep() const {
+  static const auto none = ordered_json::object();
   const auto& scene = json.at("scene");
-  return scene.contains("sweep") && !scene["sweep"].contains("second_entry") &&
-         scene["sweep"].value("entry", "") == entry;
-}
-
-std::string StoredResult::second_entry() const {
-  const auto& scene = json.at("scene");
-  return scene.contains("sweep") ? scene["sweep"].value("second_entry", "") : "";
-}
-
-double StoredResult::second_value() const {
-  const auto& scene = json.at("scene");
-  return scene.contains("sweep") ? scene["sweep"].value("second_value", 0.0) : 0;
+  const auto found = scene.find("sweep");
+  return found == scene.end() ? none : *found;
 }
 
 bool StoredResult::has_one_frequency() const {
@@ -180,16 +170,6 @@ bool StoredResult::has_period() const {
 const char* StoredResult::cycle_name() const {
   if (is_pass(motion_kind())) return "pass";
   return has_period() ? "period" : "near cycle";
-}
-
-double StoredResult::sweep_value() const {
-  const auto& scene = json.at("scene");
-  return scene.contains("sweep") ? scene["sweep"].value("value", 0.0) : 0;
-}
-
-std::string StoredResult::family() const {
-  const auto& scene = json.at("scene");
-  return scene.contains("sweep") ? scene["sweep"].value("family", "") : json.at("name").get<std::string>();
 }
 
 std::vector<StoredResult> read_results(const fs::path& folder) {

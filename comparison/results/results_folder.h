@@ -2,7 +2,6 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,13 +21,20 @@ struct StoredResult {
   /// A number of a section ("mdr", "fe", "scene"); NaN where it is null or absent.
   [[nodiscard]] double number(const char* section, const char* key) const;
   [[nodiscard]] std::string text(const char* section, const char* key) const;
+  [[nodiscard]] std::string name() const { return json.at("name").get<std::string>(); }
+  /// Its place in a sweep; an empty object: it is no point of one.
+  [[nodiscard]] const nlohmann::ordered_json& sweep() const;
+  [[nodiscard]] std::string entry() const { return sweep().value("entry", ""); }
+  [[nodiscard]] double sweep_value() const { return sweep().value("value", 0.0); }
+  /// Of a map over two entries; empty: it is no point of a map.
+  [[nodiscard]] std::string second_entry() const { return sweep().value("second_entry", ""); }
+  [[nodiscard]] double second_value() const { return sweep().value("second_value", 0.0); }
   /// Whether it is a point of a sweep over this entry alone.
-  [[nodiscard]] bool swept_over(const char* entry) const;
+  [[nodiscard]] bool swept_over(const char* one) const { return entry() == one && second_entry().empty(); }
+  /// Name of the sweep, or the name of the case.
+  [[nodiscard]] std::string family() const { return sweep().empty() ? name() : sweep().value("family", ""); }
   /// Whether MDR does not hold for the profile, so that nothing is compared.
   [[nodiscard]] bool is_beyond_mdr() const { return json.contains("not_compared"); }
-  [[nodiscard]] double sweep_value() const;
-  [[nodiscard]] std::string second_entry() const;  ///< of a map over two entries; empty: it is no point of a map
-  [[nodiscard]] double second_value() const;
   /// Whether both directions move with one harmonic of the same frequency, as in the paper.
   [[nodiscard]] bool has_one_frequency() const;
   /// Whether a force is prescribed.
@@ -38,7 +44,6 @@ struct StoredResult {
   [[nodiscard]] bool has_period() const;
   /// Name of the cycle that finite elements step to the end: "period", which repeats, "near cycle" or "pass".
   [[nodiscard]] const char* cycle_name() const;
-  [[nodiscard]] std::string family() const;  ///< name of the sweep, or the name of the case
 };
 
 /// Every result.json below a folder, by family and sweep value; maybe none. Throws InputError if there is no such

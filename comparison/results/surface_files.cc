@@ -1,8 +1,7 @@
-#include "comparison/results/surface_files.h"
-
 #include <cmath>
 #include <sstream>
 
+#include "comparison/results/case_result.h"
 #include "comparison/support/files.h"
 #include "fem/condensation/vtu_file.h"
 #include "fem/full_contact/angular_grid.h"

@@ -43,6 +43,11 @@ std::string with_unit(double value, double bar, const std::string& unit) {
   return fmt::format("{} ± {:.{}f} {}{}", number, bar / factor, decimals, name, unit);
 }
 
+std::string with_prefix(double value, const std::string& unit, int digits) {
+  const auto& [name, factor] = prefix_for(value);
+  return fmt::format("{:.{}g} {}{}", value / factor, digits, name, unit);
+}
+
 std::string volume_text(double cubic_metres) {
   return fmt::format("{:.6g} mm³", cubic_metres * 1e9);
 }

@@ -16,6 +16,9 @@ struct UnitPrefix {
 };
 UnitPrefix prefix_for(double value);
 
+/// A value in SI units with that prefix, to so many digits: "0.503 mm" to three.
+std::string with_prefix(double value, const std::string& unit, int digits = 3);
+
 /// A volume with a unit, "1.5 mm³".
 std::string volume_text(double cubic_metres);
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <vector>
 
 #include "comparison/data/motion_kind.h"
 #include "comparison/results/unit_text.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -22,11 +22,6 @@ std::optional<Verdict> verdict_named(const std::string& name) {
   if (name == "agree" || name == "pass") return Verdict::agree;
   if (name == "disagree" || name == "fail") return Verdict::disagree;
   return name.empty() ? std::nullopt : std::optional(Verdict::not_resolved);
-}
-
-double stored_number(const ordered_json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>() : std::nan("");
 }
 
 /// "the stick radius (shakedown)"
@@ -130,15 +125,15 @@ std::string sliding_text(const ordered_json& result) {
     const auto time = with_unit(slip->at("time").get<double>(), 0, "s");
     by_fe = once ? "find it from t = " + time + " on"
                  : fmt::format("find it after {}, at {} of the amplitudes", time,
-                               share_text(stored_number(*slip, "amplitude")));
+                               share_text(number_or_nan(*slip, "amplitude")));
   }
   if (once)
-    by_mdr = fmt::format("finds it from t = {} on", with_unit(stored_number(mdr, "gross_slip_time"), 0, "s"));
+    by_mdr = fmt::format("finds it from t = {} on", with_unit(number_or_nan(mdr, "gross_slip_time"), 0, "s"));
   else if (slides(mdr))
-    by_mdr = fmt::format("finds it at {} of them", share_text(stored_number(mdr, "gross_slip")));
+    by_mdr = fmt::format("finds it at {} of them", share_text(number_or_nan(mdr, "gross_slip")));
   auto text = fmt::format("finite elements {}, {} {}", by_fe, method, by_mdr);
   if (!once && slides(fe) && slides(mdr)) text += ", each while the amplitudes rise in its own way";
-  const double share = stored_number(mdr, "steady_sliding_share");
+  const double share = number_or_nan(mdr, "steady_sliding_share");
   if (std::isnan(share)) return text;
   return text + fmt::format(
                     ". By the balance of forces, λ |F_x exp(iφ) ± μ dF| = μ F_0, the steady motion slides "
@@ -149,9 +144,9 @@ std::string sliding_text(const ordered_json& result) {
 
 /// "; the stick radius (shakedown) is 3.2 % ± 0.1 % smaller" of finite elements, over MDR's value.
 std::string change_of(const ordered_json& result, const StoredDifference& d) {
-  const double fe = stored_number(result.at("fe"), name_of(d.quantity)),
-               mdr = stored_number(result.at("mdr"), name_of(d.quantity)),
-               radius = stored_number(result.at("scene"), "contact_radius_unworn");
+  const double fe = number_or_nan(result.at("fe"), name_of(d.quantity)),
+               mdr = number_or_nan(result.at("mdr"), name_of(d.quantity)),
+               radius = number_or_nan(result.at("scene"), "contact_radius_unworn");
   if (std::isnan(fe) && std::isnan(mdr)) return "";
   if (std::isnan(fe) || std::isnan(mdr))
     return fmt::format("{} only {} has", spoken(d.quantity), std::isnan(fe) ? "MDR" : "the case");
@@ -187,10 +182,10 @@ std::string length_text(double length, double contact_radius) {
 /// A stick radius of finite elements, with its error bar where that exceeds a tenth of it, so that not even its first
 /// digit is known: as where a record of a rig leaves it open.
 std::string stick_text(const ordered_json& result, Quantity quantity, double contact) {
-  const double stick = stored_number(result.at("fe"), name_of(quantity));
+  const double stick = number_or_nan(result.at("fe"), name_of(quantity));
   double bar = 0;
   if (const auto compared = result.at("comparison").find(name_of(quantity)); compared != result.at("comparison").end())
-    bar = stored_number(*compared, "error_bar") * stored_number(result.at("scene"), "contact_radius_unworn");
+    bar = number_or_nan(*compared, "error_bar") * number_or_nan(result.at("scene"), "contact_radius_unworn");
   return bar > stick / 10 ? with_unit(stick, bar, "m") : length_text(stick, contact);
 }
 
@@ -209,11 +204,11 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
                        text(contact));
   if (const auto wear = fe.find("surface_wear"); wear != fe.end())
     return fmt::format("unworn, the inner {} of a contact of {} sticks; of the worn indenter the inner {}", inner,
-                       text(contact), text(stored_number(wear->at("sticks"), "radius")));
+                       text(contact), text(number_or_nan(wear->at("sticks"), "radius")));
   if (stick >= nearly_all * contact)
     return fmt::format("all of the contact of {} sticks for good: nothing wears", text(contact));
-  const double by_fe = stored_number(fe, "worn_radius"),
-               by_mdr = result.contains("other_model") ? by_fe : stored_number(result.at("mdr"), "worn_radius"),
+  const double by_fe = number_or_nan(fe, "worn_radius"),
+               by_mdr = result.contains("other_model") ? by_fe : number_or_nan(result.at("mdr"), "worn_radius"),
                worn = std::isnan(by_fe) ? by_mdr : by_fe;
   const auto zones = fmt::format("the inner {} of a contact of {} sticks for good", inner, text(contact));
   if (std::isnan(worn)) return zones + "; the ring outside wears";
@@ -225,20 +220,20 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
 
 Differences stored_differences(const ordered_json& result) {
   Differences all;
-  const double radius = stored_number(result.at("scene"), "contact_radius_unworn");
+  const double radius = number_or_nan(result.at("scene"), "contact_radius_unworn");
   for (const auto& [key, compared] : result.at("comparison").items()) {
     const auto quantity = quantity_of(key);
     if (!quantity) continue;
     StoredDifference one{
-        *quantity, std::abs(stored_number(compared, "difference")), stored_number(compared, "tolerance"), 0, {}, true,
+        *quantity, std::abs(number_or_nan(compared, "difference")), number_or_nan(compared, "tolerance"), 0, {}, true,
         false};
-    const double bar = stored_number(compared, "error_bar"), mdr_error = stored_number(compared, "mdr_error");
+    const double bar = number_or_nan(compared, "error_bar"), mdr_error = number_or_nan(compared, "mdr_error");
     one.bar = bar + (std::isnan(mdr_error) ? 0 : mdr_error);
     const auto verdict = compared.find("verdict");
     if (verdict != compared.end() && verdict->is_string()) one.verdict = verdict_named(verdict->get<std::string>());
     one.asked = compared.value("asked", traits_of(*quantity).refined_for == RefinedFor::any_case);
     if (std::isnan(one.size)) {
-      const double fe = stored_number(result.at("fe"), key.c_str()), mdr = stored_number(result.at("mdr"), key.c_str());
+      const double fe = number_or_nan(result.at("fe"), key), mdr = number_or_nan(result.at("mdr"), key);
       one.only_one = std::isnan(fe) != std::isnan(mdr);
       one.size = one.only_one ? std::abs(std::isnan(fe) ? mdr : fe) / radius : 0;
     }
@@ -272,10 +267,10 @@ Outcome stored_outcome(const ordered_json& result) {
 std::string plain_answer(const ordered_json& result) {
   const auto &scene = result.at("scene"), &fe = result.at("fe");
   if (any_slides(result)) return "the whole contact slides: friction does not carry the tangential force";
-  const double in_contact = stored_number(fe, "contact_radius_max"),
-               contact = std::isnan(in_contact) ? stored_number(scene, "contact_radius_unworn") : in_contact,
-               stick = stored_number(fe, "stick_radius_shakedown"),
-               first = stored_number(fe, "stick_radius_first_slip");
+  const double in_contact = number_or_nan(fe, "contact_radius_max"),
+               contact = std::isnan(in_contact) ? number_or_nan(scene, "contact_radius_unworn") : in_contact,
+               stick = number_or_nan(fe, "stick_radius_shakedown"),
+               first = number_or_nan(fe, "stick_radius_first_slip");
   if (result.contains("not_compared") || std::isnan(contact)) return "";
   const auto kind = stored_motion_kind(scene);
   if (kind == MotionKind::pass_from_touch)

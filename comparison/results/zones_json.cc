@@ -1,11 +1,10 @@
-#include "comparison/results/zones_json.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/table_noise.h"
+#include "comparison/results/case_result.h"
 #include "comparison/support/constants.h"
 #include "mdr/profiles/naive_contact.h"
 

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <future>
 #include <mutex>
 #include <nlohmann/json.hpp>

@@ -1,12 +1,15 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/reference/normal_responses.h"
+#include "comparison/support/ranks.h"
 
 namespace fretval {
 
@@ -63,5 +66,21 @@ BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& option
 /// the cases.
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
                                  BodyStore& bodies);
+
+/// What an earlier run has written about a case, if that is what this run would write: the result is whole, of the same
+/// version of the program, the same inputs and as far proved, and no file that the case reads is newer. Empty: compute
+/// it. output: folder of the results.
+std::optional<BatchLine> kept_line(const PreparedCase& prepared, Proof proof, const std::filesystem::path& output);
+
+/// run_batch() on all ranks, which ask the first one for cases. Returns on the first rank the lines of all cases, equal
+/// to those of run_batch() but for their seconds; on the others none. The work beside the cases is handed out in the
+/// same way. All ranks call it, with the same cases, options and threads of their own; the folder of a case is written
+/// by the rank that computes it, progress is called on the first one. bodies: the store of this rank. Bodies of
+/// from_dofs dofs or more are made by all ranks together, while the cases go on.
+///
+/// give_up: called where a rank meets anything but failing numerics, by any thread; it has to end all ranks.
+std::vector<BatchLine> run_ranked_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
+                                        BodyStore& bodies, const Ranks& ranks, std::size_t from_dofs,
+                                        const std::function<void(const std::exception_ptr&)>& give_up);
 
 }  // namespace fretval

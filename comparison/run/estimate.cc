@@ -6,7 +6,7 @@
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/refinement.h"
 #include "comparison/accuracy/wear_proof.h"
-#include "comparison/reference/gross_slip.h"
+#include "comparison/reference/mdr_case.h"
 #include "comparison/simulation/wear_simulation.h"
 
 namespace fretval {

@@ -9,7 +9,7 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/case/table_noise.h"
-#include "comparison/case_file/mesh_entries.h"
+#include "comparison/case_file/case_sections.h"
 #include "comparison/data/master_curve.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_document.h"
@@ -166,11 +166,6 @@ std::string scene_text(const Case& input) {
   return text;
 }
 
-std::string three_digits(double metres) {
-  const auto [prefix, factor] = prefix_for(metres);
-  return fmt::format("{:.3g} {}m", metres / factor, prefix);
-}
-
 /// What the thickness of the body is against the contact, and what would do for a half-space.
 std::string thickness_text(const Case& input, double contact_radius) {
   if (!is_comparable(input)) return "";
@@ -180,9 +175,9 @@ std::string thickness_text(const Case& input, double contact_radius) {
   const auto least = thickness_of_half_space(mdr_case(over_half_space), input.elastomer.poisson_ratio, share);
   if (input.body.is_half_space())
     return row("half-space",
-               fmt::format("holds within 1 % of a for a body that is thicker than {}", three_digits(least)));
+               fmt::format("holds within 1 % of a for a body that is thicker than {}", with_prefix(least, "m")));
   auto text = row("a/H", fmt::format("{:.3g}; a half-space would do within 1 % of a from {} on",
-                                     contact_radius / input.body.thickness, three_digits(least)));
+                                     contact_radius / input.body.thickness, with_prefix(least, "m")));
   if (input.body.radius > 0)
     text += row("a/B", fmt::format("{:.3g}, over the radius", contact_radius / input.body.radius));
   return text;

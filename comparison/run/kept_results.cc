@@ -1,5 +1,3 @@
-#include "comparison/run/kept_results.h"
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -8,6 +6,7 @@
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/run/batch.h"
 #include "comparison/support/versions.h"
 
 namespace fretval {

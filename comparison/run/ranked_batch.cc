@@ -1,5 +1,3 @@
-#include "comparison/run/ranked_batch.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +9,11 @@
 #include <utility>
 
 #include "comparison/reference/normal_responses.h"
+#include "comparison/run/batch.h"
 #include "comparison/run/estimate.h"
 #include "comparison/simulation/bodies/distributed_body.h"
 #include "comparison/support/parallel.h"
-#include "comparison/support/shares.h"
+#include "comparison/support/ranks.h"
 
 namespace fretval {
 

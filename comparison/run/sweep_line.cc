@@ -13,6 +13,7 @@
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/support/files.h"
+#include "comparison/support/json.h"
 #include "comparison/support/log.h"
 
 namespace fretval {
@@ -48,8 +49,7 @@ nlohmann::ordered_json stepped_answer(const Case& input, NormalResponses& normal
 }
 
 bool has_number(const nlohmann::ordered_json& answer, Quantity quantity) {
-  const auto value = answer.find(name_of(quantity));
-  return value != answer.end() && value->is_number() && std::isfinite(value->get<double>());
+  return std::isfinite(number_or_nan(answer, name_of(quantity)));
 }
 
 /// The cases of one sweep, by their values: their places among all.

@@ -16,8 +16,6 @@
 namespace fretval {
 namespace {
 
-constexpr double degree = pi / 180;
-
 /// Heights that scatter are those of a convex profile.
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {
   std::ifstream stream(indenter.table);

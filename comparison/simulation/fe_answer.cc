@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "comparison/simulation/fe_cycle.h"
 #include "comparison/support/constants.h"

@@ -1,7 +1,6 @@
 #include "comparison/simulation/full_case.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "comparison/simulation/bodies/surface_store.h"
 #include "comparison/simulation/fe_cycle.h"
@@ -202,14 +201,10 @@ PlaneZone zone_of(const fem::ContactRegion& region, double length) {
   return zone;
 }
 
-bool has_zones_of_points(const FemCase& fem) {
-  return fem.kind == ContactKind::plane && (fem.full.coupled || fem.motion.moves_across());
-}
-
 std::optional<Resolution> half_a_ring_away(const FemCase& fem, const FeAnswer& answer) {
   const auto& never = answer.stick_radius_first_slip;
   const double edge = answer.stick_radius_shakedown.value_or(never.value_or(0)), other = never.value_or(edge);
-  if (!has_zones_of_points(fem) || fem.resolution.mesh_refinements || edge == 0) return std::nullopt;
+  if (!fem.has_zones_of_points() || fem.resolution.mesh_refinements || edge == 0) return std::nullopt;
   auto elsewhere = fem.resolution;
   elsewhere.edge_before_node += 0.5 * answer.contact_radius_max.value_or(edge) / ((edge + other) / 2);
   return elsewhere;

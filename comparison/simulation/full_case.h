@@ -20,9 +20,6 @@ namespace fretval {
 FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fem, const std::optional<FeAnswer>& ring,
                               BodyStore& bodies);
 
-/// Whether zones are read from points alone: no ring contact knows their edges better.
-bool has_zones_of_points(const FemCase& fem);
-
 /// The resolution whose rings lie half a ring from those of an answer where its stick zones end. Empty: the zones have
 /// better readings, or none; or the mesh is given, and with it where its rings lie.
 std::optional<Resolution> half_a_ring_away(const FemCase& fem, const FeAnswer& answer);

@@ -18,4 +18,13 @@ ordered_json or_null(const std::string& text) {
   return text.empty() ? ordered_json(nullptr) : ordered_json(text);
 }
 
+std::optional<double> number_in(const ordered_json& object, const std::string& key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+}
+
+double number_or_nan(const ordered_json& object, const std::string& key) {
+  return number_in(object, key).value_or(std::nan(""));
+}
+
 }  // namespace fretval

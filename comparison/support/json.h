@@ -21,4 +21,8 @@ nlohmann::ordered_json or_null(const std::optional<double>& value);
 /// The text as JSON; null if it is empty.
 nlohmann::ordered_json or_null(const std::string& text);
 
+/// The number that an object has under a key; empty, or NaN, where it is null or absent.
+std::optional<double> number_in(const nlohmann::ordered_json& object, const std::string& key);
+double number_or_nan(const nlohmann::ordered_json& object, const std::string& key);
+
 }  // namespace fretval

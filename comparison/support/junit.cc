@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "comparison/support/escape.h"
+#include "comparison/support/text.h"
 
 namespace fretval {
 

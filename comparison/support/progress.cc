@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "comparison/support/escape.h"
 #include "comparison/support/log.h"
+#include "comparison/support/text.h"
 
 namespace fretval {
 namespace {

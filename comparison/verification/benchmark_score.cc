@@ -7,8 +7,8 @@
 
 #include "comparison/case/case.h"
 #include "comparison/results/unit_text.h"
-#include "comparison/support/closest.h"
 #include "comparison/support/json.h"
+#include "comparison/support/text.h"
 #include "mdr/support/csv.h"
 #include "mdr/support/csv_units.h"
 

@@ -7,7 +7,7 @@
 #include "comparison/case_file/case_file.h"
 #include "comparison/simulation/bodies/kept_body.h"
 #include "comparison/simulation/compute_case.h"
-#include "comparison/support/data_folder.h"
+#include "comparison/support/folders.h"
 
 namespace fretval {
 namespace {

@@ -13,10 +13,9 @@ inline Run ranked_run(int n_ranks, const std::string& arguments, const ScratchFo
                       const std::string& before = "") {
   const auto command = fmt::format("{} exec {} {}", before, FRETVAL_PROGRAM, arguments);
   return shell_run(
-      fmt::format(
-          "cd {} && env -i PATH=\"$PATH\" HOME={} OMPI_ALLOW_RUN_AS_ROOT=1 "
-          "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 $(env | grep ^OPENBLAS_) timeout 120 mpirun --oversubscribe -n {} sh -c {}",
-          quoted(folder.path()), quoted(folder.path()), n_ranks, quoted(command)),
+      fmt::format("cd {} && env -i PATH=\"$PATH\" HOME={} OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+                  "$(env | grep ^OPENBLAS_) timeout 120 mpirun --oversubscribe -n {} sh -c {}",
+                  quoted(folder.path()), quoted(folder.path()), n_ranks, quoted(command)),
       folder);
 }
 

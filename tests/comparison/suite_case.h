@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "comparison/verification/tolerance/tolerance_cases.h"
+#include "comparison/verification/suites.h"
 
 namespace fretval {
 

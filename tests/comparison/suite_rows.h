@@ -4,7 +4,6 @@
 #include <string>
 
 #include "comparison/verification/suite.h"
-#include "comparison/verification/suite_summary.h"
 
 namespace fretval {
 

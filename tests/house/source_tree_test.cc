@@ -62,8 +62,7 @@ House plan() {
           {"comparison/results"},
           {"comparison/run"},
           {"comparison/trust", "comparison/verification"},
-          {"comparison/verification/exact", "comparison/verification/tolerance", "comparison/verification/extremes",
-           "comparison/verification/random_cases", "comparison/verification/small", "comparison/verification/trade"}},
+          {"comparison/verification/exact", "comparison/verification/trade"}},
          libraries);
   // Finite elements never learn what MDR makes of a case, but for what comparison/scene/from_mdr.h names.
   for (const char* room : {"comparison/simulation/fem_case", "comparison/simulation/bodies", "comparison/simulation"})

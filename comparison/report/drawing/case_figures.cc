@@ -1,5 +1,3 @@
-#include "comparison/report/drawing/case_figures.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,14 +6,10 @@
 
 #include "comparison/case/case.h"
 #include "comparison/quantities/quantity.h"
-#include "comparison/report/drawing/axis.h"
-#include "comparison/report/drawing/data_figures.h"
 #include "comparison/report/drawing/figures.h"
-#include "comparison/report/drawing/moduli_figure.h"
-#include "comparison/report/drawing/plane_figure.h"
-#include "comparison/report/drawing/share_bars.h"
-#include "comparison/report/drawing/zone_map.h"
+#include "comparison/report/drawing/plots.h"
 #include "comparison/support/cycles_until.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -299,11 +293,9 @@ Filling budget_figure(const StoredResult& r) {
       continue;
     const double tolerance = comparison[name_of(quantity)].at("tolerance").get<double>();
     Numbers shares;
-    for (const auto& source : sources) {
-      const auto estimate =
-          bar->at("shares").value(source, ordered_json::object()).value("estimate", ordered_json(0.0));
-      shares.push_back(estimate.is_number() ? estimate.get<double>() / tolerance : 0.0);
-    }
+    for (const auto& source : sources)
+      shares.push_back(number_in(bar->at("shares").value(source, ordered_json::object()), "estimate").value_or(0) /
+                       tolerance);
     rows.push_back({traits_of(quantity).title, shares});
   }
   if (rows.empty()) return nullptr;

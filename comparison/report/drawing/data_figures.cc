@@ -1,15 +1,15 @@
-#include "comparison/report/drawing/data_figures.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
-#include "comparison/report/drawing/axis.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/report/drawing/plots.h"
 
 namespace fretval {
 namespace {
 
 using Numbers = std::vector<double>;
+using nlohmann::ordered_json;
 
 constexpr int colour_of_measured = 2;
 
@@ -37,8 +37,8 @@ Figure aligned_figure(const StoredResult& r) {
                  {"profile that is computed with", length.of(fitted_r), height.of(fitted), Series::Style::line, 0}};
   plot.marks = radius_marks(r, length);
   return {std::move(plot),
-          "Heights of both halves over the distance from the apex, without the tilt, and the convex "
-          "profile through them, which is the input of both methods."};
+          "Heights of both halves over the distance from the apex, without the tilt, and the convex profile through "
+          "them, which is the input of both methods."};
 }
 
 Figure residual_figure(const StoredResult& r, const nlohmann::ordered_json& trace) {
@@ -55,6 +55,19 @@ Figure residual_figure(const StoredResult& r, const nlohmann::ordered_json& trac
   return {std::move(plot), fmt::format("Trace less aligned profile and tilt. Noise: {:.3g} {}, standard deviation; a "
                                        "course that is left over would be no axisymmetric body.",
                                        trace.at("noise").get<double>() / height.factor, height.unit)};
+}
+
+std::string fit_text(const ordered_json& fit) {
+  const auto percent = [](const ordered_json& share) { return 100 * share.get<double>(); };
+  auto text = fmt::format(
+      " Both methods compute with the Prony body (lines), not with the table (points): it misses the moduli by {:.2g} "
+      "%, root mean square, most at {:.3g} Hz by {:.2g} %.",
+      percent(fit.at("residual")), fit.at("worst_frequency").get<double>(), percent(fit.at("worst")));
+  const auto& check = fit.at("kramers_kronig");
+  if (check.is_null()) return text + " The table is too sparse to hold G' and G'' to each other (Kramers and Kronig).";
+  return text + (check.at("consistent").get<bool>()
+                     ? " The measured G' and G'' belong to one linear body (Kramers and Kronig)."
+                     : " The measured G' and G'' contradict each other (Kramers and Kronig).");
 }
 
 }  // namespace
@@ -75,6 +88,29 @@ std::vector<Series> measured_series(const StoredResult& r, const std::string& x,
   for (double& one : at) one = (one - start) / x_factor;
   for (double& one : values) one /= y_factor;
   return {{"measured", std::move(at), std::move(values), Series::Style::open_points, colour_of_measured}};
+}
+
+Figure moduli_figure(const StoredResult& r) {
+  const auto [f, storage] = read_columns(r.folder / "moduli.csv", "f [Hz]", "G' [Pa]");
+  const auto loss = read_columns(r.folder / "moduli.csv", "f [Hz]", "G'' [Pa]").second;
+  const auto modulus = axis_for({&storage, &loss}, "Pa");
+  Plot plot{"The elastomer", "frequency in Hz", "modulus in " + modulus.unit};
+  plot.log_x = plot.log_y = true;
+  plot.series = {{"storage modulus G'", f, modulus.of(storage), Series::Style::line, 0},
+                 {"loss modulus G''", f, modulus.of(loss), Series::Style::line, 1}};
+  std::string caption = "Moduli of the body. It is an input of both methods.";
+  if (const auto measured = r.folder / "measured_moduli.csv"; !column_names(measured).empty()) {
+    const auto at = read_columns(measured, "f [Hz]", "f [Hz]").first;
+    for (const auto& [name, colour] : {std::pair{"G' [Pa]", 0}, std::pair{"G'' [Pa]", 1}})
+      plot.series.push_back({colour == 0 ? "G' measured" : "G'' measured", at,
+                             modulus.of(read_columns(measured, "f [Hz]", name).second), Series::Style::points, colour});
+    if (const auto fit = r.json.at("scene").find("fit_of_moduli"); fit != r.json.at("scene").end())
+      caption += fit_text(*fit);
+  }
+  const double normal = r.number("scene", "frequency"), tangential = r.number("scene", "tangential_frequency");
+  if (normal > 0) plot.marks.emplace_back(normal == tangential ? "motion" : "normal", normal);
+  if (tangential > 0 && tangential != normal) plot.marks.emplace_back("tangential", tangential);
+  return {std::move(plot), caption};
 }
 
 }  // namespace fretval

@@ -8,7 +8,7 @@
 #include <set>
 #include <tuple>
 
-#include "comparison/report/drawing/axis.h"
+#include "comparison/report/drawing/plots.h"
 #include "comparison/run/sweep_line.h"
 
 namespace fretval {
@@ -120,8 +120,7 @@ Figure stick_radius_figure(const Members& results, const std::string& shape, con
   for (const auto& name : rheologies) list += (list.empty() ? "" : ", ") + name;
   auto caption = fmt::format(
       "{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with the same modulus "
-      "ratio. "
-      "Rheologies shown: {}. A missing point: nothing sticks.",
+      "ratio. Rheologies shown: {}. A missing point: nothing sticks.",
       plot.title, leading.begin()->second.rheology, list);
   return {std::move(plot), std::move(caption)};
 }
@@ -191,9 +190,8 @@ Figure limiting_profile_figure(const Members& results, const std::string& shape)
   plot.x_range = plot.y_range = {0, 1.6};
   return {std::move(plot),
           "Lines: the profiles that MDR predicts, which are the indenters of the finite element runs. Points: the "
-          "surface of "
-          "the finite elements at the largest indentation, which must lie on them without pressure outside c. "
-          "Triangles: a∞, where the wear ends."};
+          "surface of the finite elements at the largest indentation, which must lie on them without pressure outside "
+          "c. Triangles: a∞, where the wear ends."};
 }
 
 }  // namespace

@@ -1,12 +1,11 @@
-#include "comparison/report/drawing/plane_figure.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "comparison/report/drawing/axis.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/report/drawing/plots.h"
 #include "comparison/support/constants.h"
 
 namespace fretval {

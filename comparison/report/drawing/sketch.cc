@@ -1,10 +1,9 @@
-#include "comparison/report/drawing/sketch.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/report/drawing/figures.h"
 #include "comparison/results/answer_text.h"
 
 namespace fretval {
@@ -39,11 +38,6 @@ double largest_indentation(const StoredResult& r) {
   if (std::isfinite(compared)) return compared;
   if (std::isfinite(stored)) return stored;
   return r.number("scene", "indentation") + r.number("scene", "normal_amplitude");
-}
-
-std::string with_three_digits(double value, const char* unit) {
-  const auto [prefix, factor] = prefix_for(value);
-  return fmt::format("{:.3g} {}{}", value / factor, prefix, unit);
 }
 
 /// "80 to 120 µm"
@@ -125,9 +119,9 @@ Filling sketch_of(const StoredResult& result) {
                   {"c_text", fmt::format("{:.1f}", bottom + 50)},
                   {"a_left", x(-a)},
                   {"a_right", x(a)},
-                  {"a", with_three_digits(a, "m")},
-                  {"d", with_three_digits(tip, "m")}};
-  if (c > 0) filling["stick"] = {{"left", x(-c)}, {"right", x(c)}, {"c", with_three_digits(c, "m")}};
+                  {"a", with_prefix(a, "m")},
+                  {"d", with_prefix(tip, "m")}};
+  if (c > 0) filling["stick"] = {{"left", x(-c)}, {"right", x(c)}, {"c", with_prefix(c, "m")}};
   filling["motions"] = Filling::array();
   const auto history = result.folder / "history.csv";
   const auto n_shown = std::min(n_of_first_swings(read_columns(history, "t [s]", "d [m]").second),
@@ -138,7 +132,7 @@ Filling sketch_of(const StoredResult& result) {
   if (u > 0)
     filling["slide"] = {{"left", fmt::format("{:.1f}", middle - std::max(u * scale, 14.0))},
                         {"right", fmt::format("{:.1f}", middle + std::max(u * scale, 14.0))},
-                        {"u", with_three_digits(u, "m")}};
+                        {"u", with_prefix(u, "m")}};
   return filling;
 }
 

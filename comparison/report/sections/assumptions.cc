@@ -1,5 +1,3 @@
-#include "comparison/report/sections/assumptions.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,9 +5,11 @@
 #include <fstream>
 
 #include "comparison/quantities/quantity.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/support/constants.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -21,19 +21,12 @@ using nlohmann::ordered_json;
 constexpr double bonded_layer = 1.133;
 constexpr double share_of_the_base = 0.01;
 
-std::string length_of(double value) {
-  const auto [prefix, factor] = prefix_for(value);
-  return fmt::format("{:.3g} {}m", value / factor, prefix);
-}
-
 /// Where the finite elements end, over the largest contact radius; NaN if the folder does not say.
 double far_radius_of(const StoredResult& r) {
   std::ifstream stream(r.folder / "run.json");
   if (!stream) return std::nan("");
   const auto run = ordered_json::parse(stream, nullptr, false);
-  const auto resolution = run.is_object() ? run.value("resolution", ordered_json()) : ordered_json();
-  const auto radius = resolution.is_object() ? resolution.value("far_radius", ordered_json()) : ordered_json();
-  return radius.is_number() ? radius.get<double>() : std::nan("");
+  return run.is_object() ? number_or_nan(run.value("resolution", ordered_json()), "far_radius") : std::nan("");
 }
 
 /// What the far boundary adds to the error bars, of the quantity where that is most of its tolerance.
@@ -46,9 +39,9 @@ void add_far_boundary(const StoredResult& r, Filling& filling) {
     const auto compared = r.json.at("comparison").find(key);
     if (!quantity || !bar.is_object() || compared == r.json.at("comparison").end()) continue;
     const auto share = bar.value("shares", ordered_json::object()).value("far field", ordered_json::object());
-    if (!share.value("estimate", ordered_json()).is_number()) continue;
-    const double of_tolerance = share["estimate"].get<double>() / compared->at("tolerance").get<double>();
-    if (of_tolerance <= most) continue;
+    const auto estimate = number_in(share, "estimate");
+    const double of_tolerance = estimate.value_or(0) / compared->at("tolerance").get<double>();
+    if (!estimate || of_tolerance <= most) continue;
     most = of_tolerance;
     where = traits_of(*quantity).title;
   }
@@ -84,7 +77,7 @@ Filling assumptions_of(const StoredResult& r) {
   if ((!half_space || compressible) && !coupled) filling["uncoupled"] = true;
   filling[is_vector ? "vector" : "unidirectional"] = true;
   if (a > 0 && half_space) {
-    filling["depth"] = length_of(bonded_layer / share_of_the_base * a);
+    filling["depth"] = with_prefix(bonded_layer / share_of_the_base * a, "m");
     filling["depth_over_a"] = fmt::format("{:.0f}", bonded_layer / share_of_the_base);
   }
   add_far_boundary(r, filling);

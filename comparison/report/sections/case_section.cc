@@ -1,14 +1,7 @@
-#include "comparison/report/sections/case_section.h"
-
-#include <fmt/format.h>
-
-#include <algorithm>
 #include <cmath>
 
-#include "comparison/report/drawing/case_figures.h"
-#include "comparison/report/sections/assumptions.h"
-#include "comparison/report/sections/measured_section.h"
-#include "comparison/report/sections/scene_section.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
 
@@ -18,10 +11,7 @@ namespace {
 /// Adds a value without an error bar, by both methods, if finite elements have it.
 void add_row(Table& table, const char* title, double fe, double mdr, const char* unit) {
   if (!(fe > 0)) return;
-  const auto shown = [&](double value) {
-    const auto [prefix, factor] = prefix_for(value);
-    return value > 0 ? fmt::format("{:.4g} {}{}", value / factor, prefix, unit) : "–";
-  };
+  const auto shown = [&](double value) { return value > 0 ? with_prefix(value, unit, 4) : "–"; };
   table.rows.push_back({title, shown(fe), shown(mdr), "", ""});
 }
 
@@ -79,7 +69,7 @@ Filling one_case(const StoredResult& r) {
 Filling cases_section(const std::vector<StoredResult>& results) {
   auto cases = Filling::array();
   for (const auto& r : results)
-    if (!r.json.at("scene").contains("sweep")) cases.push_back(one_case(r));
+    if (r.sweep().empty()) cases.push_back(one_case(r));
   if (cases.empty()) return nullptr;
   return {{"template", "cases"}, {"cases", std::move(cases)}};
 }

@@ -1,7 +1,6 @@
-#include "comparison/report/sections/cost_section.h"
-
 #include <algorithm>
 
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 
 namespace fretval {
@@ -40,7 +39,7 @@ Filling cost_section(const std::vector<StoredResult>& results) {
   const auto totals = totals_of(results);
   const auto& first = results.front().json.at("cost");
   Filling filling{{"template", "cost"},
-                  {"case", "A case like " + results.front().json.at("name").get<std::string>()},
+                  {"case", "A case like " + results.front().name()},
                   {"dofs", first.value("dofs", 0)},
                   {"steps", first.value("time_steps", 0L)},
                   {"cycles", counted(first.value("cycles", std::size_t{0}), "cycle")},

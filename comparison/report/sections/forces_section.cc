@@ -1,9 +1,8 @@
-#include "comparison/report/sections/forces_section.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 
@@ -33,9 +32,9 @@ Filling forces_section(const std::vector<StoredResult>& results) {
     if (!r.has_forces()) continue;
     const bool prescribed = r.json.at("scene").contains("normal_force_mean");
     const auto radius = [&](const char* side, const char* key) { return length_text(r, side, key); };
-    table.rows.push_back({r.json.at("name").get<std::string>(), radius("scene", "contact_radius_unworn"),
-                          radius("mdr", "stick_radius_first_slip"), radius("fe", "stick_radius_first_slip"),
-                          radius("mdr", "stick_radius_shakedown"), radius("fe", "stick_radius_shakedown"),
+    table.rows.push_back({r.name(), radius("scene", "contact_radius_unworn"), radius("mdr", "stick_radius_first_slip"),
+                          radius("fe", "stick_radius_first_slip"), radius("mdr", "stick_radius_shakedown"),
+                          radius("fe", "stick_radius_shakedown"),
                           difference_with_bar(r, prescribed ? "indentation_max" : "normal_force_max"),
                           difference_with_bar(r, "tangential_amplitude"), words_cell(gross_slip_text(r))});
   }

@@ -1,5 +1,3 @@
-#include "comparison/report/sections/heading.h"
-
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -7,6 +5,7 @@
 #include <algorithm>
 #include <ctime>
 
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/support/versions.h"
 
@@ -28,12 +27,11 @@ std::string list_of(const std::set<std::string>& names) {
 std::string title_of(const std::vector<StoredResult>& results) {
   std::set<std::string> families;
   for (const auto& r : results) families.insert(r.family());
-  const auto& scene = results.front().json.at("scene");
   if (families.size() > 1) return fmt::format("{}: {}", counted(results.size(), "case"), list_of(families));
-  if (!scene.contains("sweep")) return results.front().json.at("name").get<std::string>();
+  if (results.front().sweep().empty()) return results.front().name();
   const auto second = results.front().second_entry();
-  return fmt::format("{}: {} over {}{}", *families.begin(), counted(results.size(), "case"),
-                     scene["sweep"].at("entry").get<std::string>(), second.empty() ? "" : " and " + second);
+  return fmt::format("{}: {} over {}{}", *families.begin(), counted(results.size(), "case"), results.front().entry(),
+                     second.empty() ? "" : " and " + second);
 }
 
 /// "27 November 2026", of the newest result; empty: none is a file.
@@ -67,7 +65,7 @@ Filling heading_of(const std::vector<StoredResult>& results, const std::set<std:
                                            versions().front().second)}};
   std::set<std::string> earlier;
   for (const auto& r : results)
-    if (const auto name = r.json.at("name").get<std::string>(); of_this_run.count(name) == 0) earlier.insert(name);
+    if (const auto name = r.name(); of_this_run.count(name) == 0) earlier.insert(name);
   if (!of_this_run.empty() && !earlier.empty())
     heading["earlier"] = {{"count", counted(earlier.size(), "result")}, {"names", list_of(earlier)}};
   return heading;

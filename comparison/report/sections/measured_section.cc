@@ -1,10 +1,9 @@
-#include "comparison/report/sections/measured_section.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
 
 #include "comparison/quantities/quantity.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
 
@@ -28,11 +27,6 @@ std::string difference_text(const ordered_json& one, const char* method, const c
 
 std::string quantity_text(const ordered_json& value, double uncertainty, const char* unit) {
   return value.is_null() ? "none" : with_unit(value.get<double>(), uncertainty, unit);
-}
-
-std::string metres(double value) {
-  const auto [prefix, factor] = prefix_for(value);
-  return fmt::format("{:.3g} {}m", value / factor, prefix);
 }
 
 }  // namespace
@@ -92,8 +86,8 @@ Filling data_sentences(const StoredResult& r) {
     add(fmt::format(
         "The indenter comes from a raw trace: apex {} ± {} off, tilted by {:.3g} ± {:.1g}°. What that leaves "
         "open is in the error bars, as what the data do.",
-        metres(std::abs(data["trace"].at("apex").get<double>())),
-        metres(data["trace"].at("apex_uncertainty").get<double>()), data["trace"].at("tilt").get<double>(),
+        with_prefix(std::abs(data["trace"].at("apex").get<double>()), "m"),
+        with_prefix(data["trace"].at("apex_uncertainty").get<double>(), "m"), data["trace"].at("tilt").get<double>(),
         data["trace"].at("tilt_uncertainty").get<double>()));
   if (data.contains("hardness"))
     add(fmt::format(

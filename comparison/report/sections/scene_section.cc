@@ -1,12 +1,9 @@
-#include "comparison/report/sections/scene_section.h"
-
-#include <fmt/format.h>
 
 #include <cmath>
 #include <map>
 
-#include "comparison/report/drawing/sketch.h"
-#include "comparison/report/sections/assumptions.h"
+#include "comparison/report/drawing/figures.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/support/constants.h"
@@ -51,8 +48,8 @@ void add_groups(const StoredResult& r, Filling& filling) {
   if (oscillates) {
     const double nu = input_number(r, "Poisson ratio", "Elastomer");
     add("k",
-        mdr::spring_modulus_ratio(std::isnan(nu) ? 0.5 : nu) * r.number("scene", "friction_coefficient") * r.number("scene", "normal_amplitude") /
-            r.number("scene", "tangential_amplitude"),
+        mdr::spring_modulus_ratio(std::isnan(nu) ? 0.5 : nu) * r.number("scene", "friction_coefficient") *
+            r.number("scene", "normal_amplitude") / r.number("scene", "tangential_amplitude"),
         "{:.4g}");
     add("rho", r.number("mdr", "modulus_ratio"), "{:.5g}");
     filling["omega_tau"] = branches_text(scene, 2 * pi * r.number("scene", "frequency"));
@@ -92,7 +89,7 @@ Filling scene_of(const StoredResult& r) {
 Filling scenes_section(const std::vector<StoredResult>& results) {
   std::map<std::string, std::pair<const StoredResult*, std::size_t>> firsts;  // with how many there are of its family
   for (const auto& r : results)
-    if (r.json.at("scene").contains("sweep")) {
+    if (!r.sweep().empty()) {
       auto& [first, n] = firsts[r.family()];
       if (!first) first = &r;
       ++n;
@@ -103,7 +100,7 @@ Filling scenes_section(const std::vector<StoredResult>& results) {
     const auto& [first, n] = counted_first;
     scenes.push_back({{"family", family},
                       {"cases", counted(n, "case")},
-                      {"entry", first->json.at("scene").at("sweep").at("entry")},
+                      {"entry", first->entry()},
                       {"open", firsts.size() <= few_scenes},
                       {"long", firsts.size() > few_scenes},
                       {"scene", scene_of(*first)},

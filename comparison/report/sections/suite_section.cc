@@ -1,5 +1,3 @@
-#include "comparison/report/sections/suite_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 
@@ -112,6 +111,35 @@ std::vector<Figure> suite_figures(const ordered_json& json) {
            "drawn at 1e-10."}};
 }
 
+std::string errors_text(const ordered_json& errors) {
+  std::string text;
+  for (const auto& error : errors)
+    text += (text.empty() ? "" : ", ") + (error.is_number() ? number_text(error) : "not finite");
+  return text;
+}
+
+Table convergence_table(const ordered_json& rows) {
+  Table table{{"solution: quantity", "refined", "errors", "order (expected)", "tolerance", "verdict", "source; note"}};
+  for (const auto& row : rows) {
+    const auto text = [&](const char* key) { return row.at(key).get<std::string>(); };
+    const auto &order = row.at("observed_order"), &resolutions = row.at("resolutions");
+    table.rows.push_back(
+        {text("solution") + ": " + text("quantity"),
+         fmt::format("{} to {} {}", resolutions.front().get<int>(), resolutions.back().get<int>(), text("refined")),
+         errors_text(row.at("errors")),
+         fmt::format("{} ({:.2g})", order.is_number() ? number_text(order, "{:.1f}") : "floor",
+                     row.at("expected_order").get<double>()),
+         number_text(row.at("tolerance")), bad_if(text("verdict") != "pass", text("verdict")),
+         words_cell(text("source") + (text("note").empty() ? "" : "; ") + text("note"))});
+  }
+  return table;
+}
+
+std::string passed_text(const ordered_json& rows) {
+  const auto n = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.at("verdict") == "pass"; });
+  return fmt::format("{} of {} rows pass.", n, rows.size());
+}
+
 }  // namespace
 
 Filling suite_section(const ordered_json& json) {
@@ -136,6 +164,14 @@ std::string suite_text(const ordered_json& json) {
                      has_all_rows(json) ? "" : fmt::format("the worst of {}\n", summary.at("cases").get<std::size_t>()),
                      text_of(cases_table(json.at("rows"))), text_of(quantities_table(json.at("quantities"))),
                      summary.at("pass").get<bool>() ? "pass" : "FAIL", summary_text(summary));
+}
+
+Filling convergence_section(const ordered_json& rows) {
+  return {{"template", "exact"}, {"passed", passed_text(rows)}, {"table", filling_of(convergence_table(rows))}};
+}
+
+std::string convergence_text(const ordered_json& rows) {
+  return text_of(convergence_table(rows)) + passed_text(rows) + "\n";
 }
 
 }  // namespace fretval

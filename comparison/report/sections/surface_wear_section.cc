@@ -1,18 +1,17 @@
-#include "comparison/report/sections/surface_wear_section.h"
-
 #include <fmt/format.h>
 
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
 
-#include "comparison/report/drawing/axis.h"
 #include "comparison/report/drawing/figures.h"
+#include "comparison/report/drawing/plots.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/unit_text.h"
 #include "comparison/support/constants.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -27,8 +26,7 @@ const ordered_json* surface_wear_of(const StoredResult& r) {
 }
 
 std::string with_bar(const ordered_json& zone, const std::string& key) {
-  const auto& bar = zone.at(key + "_bar");
-  return with_unit(zone.at(key).get<double>(), bar.is_number() ? bar.get<double>() : 0, "m");
+  return with_unit(zone.at(key).get<double>(), number_in(zone, key + "_bar").value_or(0), "m");
 }
 
 /// The radius that sticks and the worn volume in the course of the wear, over those of MDR's limit.
@@ -87,14 +85,12 @@ Filling surface_wear_section(const std::vector<StoredResult>& results) {
     const auto* wear = surface_wear_of(r);
     if (!wear) continue;
     const auto &sticks = wear->at("sticks"), &limit = wear->at("limit_of_mdr");
-    const auto& bar = wear->at("volume_bar");
+    const auto bar = number_in(*wear, "volume_bar");
     const auto volume = wear->at("volume").back().get<double>();
-    table.rows.push_back(
-        {r.json.at("name").get<std::string>(),
-         volume_text(volume) + (bar.is_number() ? fmt::format(" ± {:.2g} %", 100 * bar.get<double>() / volume) : ""),
-         volume_text(limit.at("volume").get<double>()), with_bar(sticks, "radius"),
-         with_unit(limit.at("stick_radius").get<double>(), 0, "m"), with_bar(sticks, "along"),
-         with_bar(sticks, "across")});
+    table.rows.push_back({r.name(), volume_text(volume) + (bar ? fmt::format(" ± {:.2g} %", 100 * *bar / volume) : ""),
+                          volume_text(limit.at("volume").get<double>()), with_bar(sticks, "radius"),
+                          with_unit(limit.at("stick_radius").get<double>(), 0, "m"), with_bar(sticks, "along"),
+                          with_bar(sticks, "across")});
     figures.push_back(course_figure(*wear));
     figures.push_back(directions_figure(r));
   }

@@ -1,5 +1,3 @@
-#include "comparison/report/sections/sweep_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/run/sweep_line.h"
@@ -22,12 +21,12 @@ using Family = std::vector<const StoredResult*>;
 std::map<std::string, Family> families_of(const std::vector<StoredResult>& results) {
   std::map<std::string, Family> families;
   for (const auto& r : results)
-    if (r.json.at("scene").contains("sweep")) families[r.family()].push_back(&r);
+    if (!r.sweep().empty()) families[r.family()].push_back(&r);
   return families;
 }
 
 std::string entry_of(const Family& family) {
-  return family.front()->json.at("scene").at("sweep").at("entry").get<std::string>();
+  return family.front()->entry();
 }
 
 /// The bar of a quantity that is compared; NaN if none was measured.
@@ -96,10 +95,9 @@ Figure sweep_figure(const Family& family, const std::vector<Quantity>& quantitie
                            Series::Style::points, colour++, curves.bar});
   }
   if (quantities.size() > 1) plot.y_label = fmt::format("stick radius in {}m", prefix);
-  return {
-      std::move(plot),
-      "Line: MDR; dashed where it is known at the points alone, straight between. Points: finite elements with their "
-      "error bars."};
+  return {std::move(plot),
+          "Line: MDR; dashed where it is known at the points alone, straight between. Points: finite elements with "
+          "their error bars."};
 }
 
 bool is_any(const Family& family, Quantity quantity) {
@@ -269,7 +267,7 @@ void write_sweeps(const std::vector<StoredResult>& results) {
       for (const char* who : {" by MDR", " by finite elements", " error bar"}) text += "," + column_of(quantity, who);
     const auto cell = [](double value) { return std::isfinite(value) ? fmt::format("{:.10g}", value) : ""; };
     for (const auto* r : family) {
-      text += fmt::format("\n{},{:.10g}", r->json.at("name").get<std::string>(), r->sweep_value());
+      text += fmt::format("\n{},{:.10g}", r->name(), r->sweep_value());
       if (!second.empty()) text += fmt::format(",{:.10g}", r->second_value());
       for (const auto quantity : quantities)
         text += fmt::format(",{},{},{}", cell(r->number("mdr", name_of(quantity))),

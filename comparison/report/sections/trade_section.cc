@@ -1,5 +1,3 @@
-#include "comparison/report/sections/trade_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/results_folder.h"

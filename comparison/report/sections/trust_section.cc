@@ -1,5 +1,3 @@
-#include "comparison/report/sections/trust_section.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -8,9 +6,8 @@
 #include "comparison/model_error/coordinates.h"
 #include "comparison/model_error/level_lines.h"
 #include "comparison/report/drawing/figures.h"
-#include "comparison/report/drawing/plane_figure.h"
-#include "comparison/report/drawing/share_bars.h"
-#include "comparison/report/sections/scene_section.h"
+#include "comparison/report/drawing/plots.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/unit_text.h"
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <optional>
 
-#include "comparison/quantities/readings_json.h"
+#include "comparison/quantities/reading.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_inputs.h"
 #include "comparison/results/verdict_text.h"
@@ -114,7 +114,7 @@ Table values_table(const std::vector<StoredResult>& results, const std::vector<Q
 
 Table sweep_rows(const std::vector<StoredResult>& family) {
   const auto& first = family.front();
-  const auto entry = first.json.at("scene").at("sweep").at("entry").get<std::string>(), second = first.second_entry();
+  const auto entry = first.entry(), second = first.second_entry();
   std::vector<Quantity> shown;
   for (const auto& pair : {std::pair{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown},
                            std::pair{Quantity::contact_radius_max, Quantity::normal_force_max}}) {

@@ -1,19 +1,18 @@
-#include "comparison/report/sections/verdict_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/quantities/quantity.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/sections/values_table.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -37,19 +36,17 @@ std::string proof_text(const Results& results) {
     text += meaning;
   };
   add(Proof::none,
-      "The answer of the finite elements alone, computed without error bars (--proof none): what it is "
-      "worth nobody can tell. ");
+      "The answer of the finite elements alone, computed without error bars (--proof none): what it is worth nobody "
+      "can tell. ");
   add(Proof::bars,
       "The finite elements have error bars, each source measured by its own refinement, and are taken as they are "
       "(--proof bars). ");
   add(Proof::tolerance,
       "The finite elements have error bars, each source measured by its own refinement, and were refined while the "
-      "bars "
-      "were wider than the tolerance (--proof tolerance). ");
+      "bars were wider than the tolerance (--proof tolerance). ");
   return text +
          "A quantity agrees where the difference and the error bars of both methods are within the tolerance; it is "
-         "not "
-         "resolved where the bars are wider than that; without error bars nothing is proved.";
+         "not resolved where the bars are wider than that; without error bars nothing is proved.";
 }
 
 std::string capitalised(std::string text) {
@@ -110,7 +107,7 @@ Extreme extreme_of(const Results& results, Quantity quantity) {
       extreme.size = d.size;
       extreme.tolerance = d.tolerance;
       extreme.bar = d.bar;
-      extreme.name = r.json.at("name").get<std::string>();
+      extreme.name = r.name();
     }
   return extreme;
 }
@@ -175,8 +172,8 @@ Filling budget_section(const Results& results) {
     for (const auto& [quantity, bar] : fe["error_estimate"].items())
       if (bar.is_object() && bar.contains("shares"))
         for (const auto& [source, share] : bar["shares"].items())
-          if (share.value("estimate", ordered_json()).is_number()) {
-            shares[quantity][source].push_back(share["estimate"].get<double>());
+          if (const auto estimate = number_in(share, "estimate")) {
+            shares[quantity][source].push_back(*estimate);
             sources.insert(source);
           }
   }

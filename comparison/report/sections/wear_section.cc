@@ -1,5 +1,3 @@
-#include "comparison/report/sections/wear_section.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +6,13 @@
 #include <set>
 #include <utility>
 
-#include "comparison/report/drawing/axis.h"
 #include "comparison/report/drawing/figures.h"
-#include "comparison/report/drawing/zone_map.h"
+#include "comparison/report/drawing/plots.h"
+#include "comparison/report/sections/sections.h"
 #include "comparison/report/text/numbers.h"
 #include "comparison/report/text/table.h"
 #include "comparison/results/answer_text.h"
+#include "comparison/support/json.h"
 
 namespace fretval {
 namespace {
@@ -80,12 +79,12 @@ Table table_of(const Results& results) {
     const auto* wear = wear_of(r);
     if (!wear) continue;
     const auto& distance = wear->at("distance_to_limit");
-    table.rows.push_back(
-        {r.json.at("name").get<std::string>(), words_cell(r.text("scene", "rheology") + ", " + law_text(r)),
-         length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
-         number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
-         difference_with_bar(r, "worn_radius"), words_cell(volumes_text(*wear)), difference_with_bar(r, "worn_volume"),
-         words_cell(cycles_text(r, *wear)), words_cell(end_text(*wear))});
+    table.rows.push_back({r.name(), words_cell(r.text("scene", "rheology") + ", " + law_text(r)),
+                          length_text(r, "fe", "stick_radius_shakedown"), number_text(distance.at("shakedown")),
+                          number_text(distance.at("first_slip")), length_text(r, "mdr", "worn_radius"),
+                          difference_with_bar(r, "worn_radius"), words_cell(volumes_text(*wear)),
+                          difference_with_bar(r, "worn_volume"), words_cell(cycles_text(r, *wear)),
+                          words_cell(end_text(*wear))});
   }
   return table;
 }
@@ -177,8 +176,7 @@ Filling sequence_figure(const StoredResult& r) {
         {"label", "state"}, {"start", names.size() - 1}, {"y", Filling::array({frames})}, {"names", names}};
   return {{"plot", std::move(json)},
           {"caption",
-           "What finite elements have worn, at any of some states of the course. Dashed: the limiting "
-           "profile."}};
+           "What finite elements have worn, at any of some states of the course. Dashed: the limiting profile."}};
 }
 
 Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
@@ -189,9 +187,9 @@ Figure volume_figure(const StoredResult& r, const ordered_json& wear) {
     plot.series.push_back(over_cycles(*mdr, "volume", unit, {"MDR", {}, {}, Series::Style::line, 0}));
   plot.series.push_back(over_cycles(wear, "volume", unit, {"finite elements", {}, {}, Series::Style::points, 1}));
   std::string caption = "Points: the jumps of the finite elements over many cycles.";
-  if (const auto found = wear.find("springs_difference"); found != wear.end() && found->is_number())
+  if (const auto difference = number_in(wear, "springs_difference"))
     caption += fmt::format(" From the springs of MDR they differ by up to {} of the limit's volume.",
-                           number_text(found->get<double>()));
+                           number_text(*difference));
   return {std::move(plot), std::move(caption)};
 }
 
@@ -237,7 +235,7 @@ Filling course(const StoredResult& r, const ordered_json& wear) {
         {{"plot", zone_map(fmt::format("Stick, slip and open, {} of the wear", when), "r in " + length.unit, edges,
                            wear.at("zones").at(when).get<std::vector<std::string>>())},
          {"caption", "What each ring does in a cycle."}});
-  return {{"name", r.json.at("name")}, {"figures", std::move(figures)}};
+  return {{"name", r.name()}, {"figures", std::move(figures)}};
 }
 
 /// Numbers of the template.

@@ -2,17 +2,16 @@
 
 #include <fmt/format.h>
 
-#include "comparison/support/escape.h"
+#include <boost/algorithm/string/replace.hpp>
+
+#include "comparison/support/text.h"
 
 namespace fretval {
 namespace {
 
 /// JSON as it may stand in a script.
-std::string in_script(std::string json) {
-  const std::string sign = "<", code = "\\u003c";
-  for (auto at = json.find(sign); at != std::string::npos; at = json.find(sign, at))
-    json.replace(at, sign.size(), code);
-  return json;
+std::string in_script(const std::string& json) {
+  return boost::replace_all_copy(json, "<", "\\u003c");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "comparison/data/path_table.h"
@@ -12,7 +11,6 @@
 #include "comparison/simulation/fem_case/expected_contact.h"
 #include "comparison/simulation/fem_case/near_cycle.h"
 #include "comparison/simulation/fem_case/profile_in_units.h"
-#include "comparison/support/constants.h"
 #include "fem/contact/half_space.h"
 #include "meshes/grading.h"
 

@@ -78,6 +78,10 @@ struct FemCase {
 
   /// Not under an unlocked phase or of frequencies without a common period, whatever cycle is stepped in their place.
   [[nodiscard]] bool has_period() const { return motion.locked && !without_short_cycle; }
+  /// Whether zones are read from points alone: no ring contact knows their edges better.
+  [[nodiscard]] bool has_zones_of_points() const {
+    return kind == ContactKind::plane && (full.coupled || motion.moves_across());
+  }
   /// The resolution's steps belong to the fastest oscillation, or to the whole of a path, which has more if it has many
   /// rows (fem::steps_along).
   [[nodiscard]] int steps_per_cycle() const {

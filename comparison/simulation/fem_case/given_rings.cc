@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "comparison/case_file/mesh_entries.h"
+#include "comparison/case_file/case_sections.h"
 #include "meshes/mesh.h"
 
 namespace fretval {

@@ -9,11 +9,6 @@
 #include "comparison/support/constants.h"
 
 namespace fretval {
-namespace {
-
-constexpr double degree = pi / 180;
-
-}  // namespace
 
 std::function<double(double)> profile_in(const Units& units, const Case::Indenter& indenter,
                                          const mdr::Profile& unworn) {

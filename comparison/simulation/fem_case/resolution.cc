@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 namespace fretval {
+
+using nlohmann::ordered_json;
+
 namespace {
 
 constexpr double finest_edge_ring = 2e-6;  // gmsh tells nodes apart down to some 1e-7 of the contact line
@@ -72,6 +76,23 @@ Resolution resolution_for(double tolerance, bool memory) {
   if (tolerance >= 1e-2) return {24, 3, 0.5, 12, 32, ramp(4), 1e-4, 24, worn_edge_ring};
   if (tolerance >= 1e-3) return {32, 3, 0.5, 12, 72, ramp(8), 1e-5, 48, worn_edge_ring};
   return {48, 3, 0.3, 20, 72, ramp(12), 1e-6, 96, worn_edge_ring};
+}
+
+ordered_json focus_json(const Focus& focus) {
+  return {{"inner", focus.inner}, {"outer", focus.outer}, {"ring", focus.ring}};
+}
+
+ordered_json resolution_json(const Resolution& r) {
+  ordered_json json{{"elements_per_radius", r.elements_per_radius},
+                    {"degree", r.degree},
+                    {"growth", r.growth},
+                    {"far_radius", r.far_radius},
+                    {"steps_per_cycle", r.steps_per_cycle},
+                    {"ramp_cycles", r.n_ramp_cycles},
+                    {"periodicity", r.periodicity}};
+  if (r.mesh_refinements) json["mesh_refinements"] = *r.mesh_refinements;
+  if (r.focus) json["focus"] = focus_json(*r.focus);
+  return json;
 }
 
 }  // namespace fretval

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -55,5 +56,11 @@ std::string change_text(const Resolution& before, const Resolution& after);
 /// radius and force), as docs/verification.md shows. What they miss in a case, its error budget shows.
 /// memory: of the body, see fem::RelaxationModel; without it the start leaves nothing behind and one ramp cycle does.
 Resolution resolution_for(double tolerance, bool memory = true);
+
+/// elements_per_radius, degree, growth, far_radius, steps_per_cycle, ramp_cycles, periodicity; focus if there is one.
+nlohmann::ordered_json resolution_json(const Resolution& resolution);
+
+/// Inner and outer radius and ring.
+nlohmann::ordered_json focus_json(const Focus& focus);
 
 }  // namespace fretval

@@ -7,7 +7,7 @@
 
 #include "comparison/support/json.h"
 #include "comparison/support/junit.h"
-#include "comparison/support/log_slope.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {

@@ -3,7 +3,6 @@
 #include "fem/full_model/manufactured_solution.h"
 #include "fem/operators/grid_refinement.h"
 #include "meshes/grading.h"
-#include "meshes/quarter_disc.h"
 
 namespace fretval {
 

@@ -1,8 +1,5 @@
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/ring_contact/contact_events.h"
-#include "fem/ring_contact/contact_force.h"
 #include "fem/ring_contact/effective_radii.h"
-#include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "mdr/profiles/indentation.h"
 #include "mdr/springs/spring_energy.h"
 
@@ -23,20 +20,12 @@ Rows indenter_rows(const Meshes& meshes, const Indenter& indenter, const ExactSc
     return mdr::power_law(steepness / mdr::transform_factor(indenter.exponent), indenter.exponent);
   };
   const auto shape = steep(1), exact_shape = steep(exact.steepness);
-  const auto errors = [&](const ConvergenceMesh& mesh) {
-    const Eigen::VectorXd profile = means_of(shape, mesh.normal);
-    const auto events = fem::contact_events(mesh.normal.compliance, profile);
-    double radius_error = 0, force_error = 0;
-    for (int k = 0; k < n_positions; ++k) {
-      const double indentation = mdr::transform(shape, position(k, 0.8, 1));
-      const auto contact = fem::static_contact(mesh.normal, profile, indentation);
-      const double radius = fem::largest_contact_radius(contact.gap, events).radius;
-      const double force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
-      take_worst(radius_error, radius / mdr::contact_radius(exact_shape, indentation) - 1);
-      take_worst(force_error, force / mdr::normal_force(exact_shape, exact.modulus, indentation) - 1);
-    }
-    return std::vector<double>{radius_error, force_error};
+  std::vector<double> indentations;
+  for (int k = 0; k < n_positions; ++k) indentations.push_back(mdr::transform(shape, position(k, 0.8, 1)));
+  const auto known = [&](double d) {
+    return RadiusAndForce{mdr::contact_radius(exact_shape, d), mdr::normal_force(exact_shape, exact.modulus, d)};
   };
+  const auto errors = [&](const ConvergenceMesh& mesh) { return static_errors(mesh, shape, indentations, known); };
   return mesh_rows(Rows{{indenter.name, "contact radius", indenter.source, indenter.radius},
                         {indenter.name, "force", indenter.source, indenter.force}},
                    meshes, errors);

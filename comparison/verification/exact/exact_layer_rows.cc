@@ -5,11 +5,8 @@
 #include "comparison/simulation/bodies/body.h"
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/history/friction_history.h"
-#include "fem/ring_contact/contact_events.h"
 #include "fem/ring_contact/contact_force.h"
 #include "fem/ring_contact/pressure_for_friction.h"
-#include "fem/ring_contact/stick_zone/contact_radius.h"
-#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "fem/ring_contact/stick_zone/stick_zones.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/layer/layer_slip.h"
@@ -52,19 +49,14 @@ Meshes layer_meshes(const mdr::Layer& layer, const std::vector<int>& n_rings) {
 
 /// Contact radius and force of a parabola, for contact radii from 0.8 to 1.
 std::vector<double> errors_of_parabola(const ConvergenceMesh& mesh, const mdr::Layer& layer, const ExactScene& exact) {
-  const Eigen::VectorXd profile = means_of(indenter(), mesh.normal);
-  const auto events = fem::contact_events(mesh.normal.compliance, profile);
   constexpr int n_depths = 25;
-  double radius_error = 0, force_error = 0;
-  for (int k = 0; k < n_depths; ++k) {
-    const double indentation = mdr::layer_contact(indenter(), layer, 0.8 + 0.2 * k / (n_depths - 1)).indentation;
+  std::vector<double> indentations;
+  for (int k = 0; k < n_depths; ++k)
+    indentations.push_back(mdr::layer_contact(indenter(), layer, 0.8 + 0.2 * k / (n_depths - 1)).indentation);
+  return static_errors(mesh, indenter(), indentations, [&](double indentation) {
     const auto known = mdr::layer_contact_at_depth(indenter(exact.steepness), layer, indentation);
-    const auto contact = fem::static_contact(mesh.normal, profile, indentation);
-    const double force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
-    take_worst(radius_error, fem::largest_contact_radius(contact.gap, events).radius / known.contact_radius - 1);
-    take_worst(force_error, force / mdr::normal_force(known, exact.modulus) - 1);
-  }
-  return {radius_error, force_error};
+    return RadiusAndForce{known.contact_radius, mdr::normal_force(known, exact.modulus)};
+  });
 }
 
 /// Force of all rings inside r = 1 that move together, at their effective radius.

@@ -3,9 +3,6 @@
 #include <cmath>
 
 #include "comparison/verification/exact/exact_rows.h"
-#include "fem/ring_contact/contact_events.h"
-#include "fem/ring_contact/contact_force.h"
-#include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "mdr/layer/layer.h"
 #include "mdr/profiles/indentation.h"
 
@@ -29,19 +26,12 @@ mdr::Profile parabola_of(double steepness = 1) {
 
 /// Contact radius and force, for contact radii from 0.8 to 1.
 std::vector<double> errors_of_hertz(const ConvergenceMesh& mesh, const ExactModuli& moduli, const ExactScene& exact) {
-  const Eigen::VectorXd profile = means_of(parabola_of(), mesh.normal);
-  const auto events = fem::contact_events(mesh.normal.compliance, profile);
+  std::vector<double> indentations;
+  for (int k = 0; k < n_positions; k += 4) indentations.push_back(std::pow(position(k, 0.8, 1), 2));
   const auto known = parabola_of(exact.steepness);
-  double radius_error = 0, force_error = 0;
-  for (int k = 0; k < n_positions; k += 4) {
-    const double indentation = std::pow(position(k, 0.8, 1), 2);
-    const auto contact = fem::static_contact(mesh.normal, profile, indentation);
-    const double force = fem::contact_force(mesh.normal.series, contact.pressure, contact.gap).force;
-    take_worst(radius_error,
-               fem::largest_contact_radius(contact.gap, events).radius / mdr::contact_radius(known, indentation) - 1);
-    take_worst(force_error, force / mdr::normal_force(known, moduli.normal / 4, indentation) - 1);
-  }
-  return {radius_error, force_error};
+  return static_errors(mesh, parabola_of(), indentations, [&](double d) {
+    return RadiusAndForce{mdr::contact_radius(known, d), mdr::normal_force(known, moduli.normal / 4, d)};
+  });
 }
 
 /// Error of the force on all rings inside r = 1 that move together, at their effective radius: 2 E* a, 2 G* a.

@@ -4,11 +4,9 @@
 
 #include "comparison/verification/exact/exact_rows.h"
 #include "fem/history/friction_history.h"
-#include "fem/ring_contact/box_solver.h"
 #include "fem/ring_contact/contact_events.h"
 #include "fem/ring_contact/contact_force.h"
 #include "fem/ring_contact/friction_force.h"
-#include "fem/ring_contact/stick_zone/stick_radius.h"
 #include "mdr/profiles/indentation.h"
 
 namespace fretval {
@@ -60,13 +58,7 @@ class ElasticSliding {
   }
 
   /// The stick radius in the last step, under forward slip.
-  [[nodiscard]] double stick_radius() const {
-    Eigen::Index n_stuck = 0;
-    while (n_stuck < limit_.rings.size() && limit_.rings[n_stuck] > 0 &&
-           states_[static_cast<std::size_t>(n_stuck)] == fem::BoxState::interior)
-      ++n_stuck;
-    return fem::stick_radius(problem_.compliance, problem_.series.depths(limit_.rings - traction_), n_stuck).radius;
-  }
+  [[nodiscard]] double stick_radius() const { return stick_radius_of(problem_, limit_.rings, traction_, states_); }
 
  private:
   const fem::ContactProblem& problem_;

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "comparison/accuracy/verdict.h"
-#include "comparison/simulation/fem_case/resolution_json.h"
+#include "comparison/simulation/fem_case/resolution.h"
 #include "comparison/support/json.h"
 
 namespace fretval {

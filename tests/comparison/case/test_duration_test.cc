@@ -7,7 +7,6 @@
 #include "mdr/rheology/prony_body.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::test_duration_test {
 namespace {

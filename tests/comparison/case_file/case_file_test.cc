@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {
@@ -19,12 +18,7 @@ Case read_one(const std::string& text) {
 std::string error_of(const std::string& text) {
   const ScratchFolder folder;
   const auto file = folder.write("bad.prm", text);
-  try {
-    read_case_file(file);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return refusal([&] { read_case_file(file); });
 }
 
 TEST(CaseFile, ReadsEveryEntry) {
@@ -70,9 +64,7 @@ TEST(CaseFile, ReadsBodies) {
 }
 
 TEST(CaseFile, RefusesImpossibleBodies) {
-  const auto names = [](const std::string& text, const std::string& what) {
-    EXPECT_NE(error_of(text).find(what), std::string::npos) << error_of(text);
-  };
+  const auto names = [](const std::string& text, const std::string& what) { expect_parts(error_of(text), {what}); };
   names(on("set Shape = slab\n"), "expected one of half space, layer, cylinder");
   names(on("set Shape = layer\nset Base = bonded\n"), "Body / Thickness");
   names(on("set Shape = layer\nset Thickness = 1 mm\n"), "Body / Base");
@@ -169,77 +161,18 @@ TEST(CaseFile, SaysEverythingThatIsWrongAtOnceAndNothingTwice) {
   text = replace(text, "subsection Motion", "subsection Motoin");
   text = replace(text, "Tolerance = 0.01", "Tolerance = 1");
   const auto message = error_of(text);
-  for (const char* part :
-       {"line 3: Indenter / Radiuss: no such entry; did you mean Radius?", "Branch times = 10 mm",
-        "line 13: Friction / Poisson ratio: no such entry; write Elastomer / Poisson ratio",
-        "line 16: subsection Motoin: no such subsection; did you mean Motion?", "Tolerance = 1: expected"})
-    EXPECT_NE(message.find(part), std::string::npos) << part << "\n" << message;
+  expect_parts(message,
+               {"line 3: Indenter / Radiuss: no such entry; did you mean Radius?", "Branch times = 10 mm",
+                "line 13: Friction / Poisson ratio: no such entry; write Elastomer / Poisson ratio",
+                "line 16: subsection Motoin: no such subsection; did you mean Motion?", "Tolerance = 1: expected"});
   EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 4) << message;
 }
 
 TEST(CaseFile, NamesTheEntryOfAnotherSection) {
-  EXPECT_NE(error_of(replace(valid_case, "set Law", "set Radius = 1\n  set Law"))
-                .find("did you mean Indenter / Radius or Body / Radius?"),
-            std::string::npos);
-  EXPECT_NE(error_of(replace(valid_case, "set Radius", "set Young's modulus")).find("Relaxed shear modulus = E/3"),
-            std::string::npos);
+  expect_parts(error_of(replace(valid_case, "set Law", "set Radius = 1\n  set Law")),
+               {"did you mean Indenter / Radius or Body / Radius?"});
+  expect_parts(error_of(replace(valid_case, "set Radius", "set Young's modulus")), {"Relaxed shear modulus = E/3"});
 }
-
-struct BadCase {
-  std::string from, to;
-  std::vector<std::string> message;  // what the message must contain besides the file
-};
-
-class BadCaseFile : public testing::TestWithParam<BadCase> {};
-
-TEST_P(BadCaseFile, NamesFileEntryValueAndWhatWouldBeValid) {
-  const std::string message = error_of(replace(valid_case, GetParam().from, GetParam().to));
-  EXPECT_NE(message.find("bad.prm"), std::string::npos) << message;
-  for (const auto& part : GetParam().message) EXPECT_NE(message.find(part), std::string::npos) << message;
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    All, BadCaseFile,
-    testing::Values(
-        BadCase{"set Radius = 1e-2", "set Radios = 1e-2", {"Radios", "Valid entries", "Slope angle"}},
-        BadCase{"subsection Friction", "subsection Fiction", {"Fiction", "Valid subsections", "Friction"}},
-        BadCase{"set Radius = 1e-2", "", {"Indenter / Radius is missing", "positive"}},
-        BadCase{"set Radius = 1e-2", "set Radius = nan", {"Indenter / Radius = nan", "positive"}},
-        BadCase{"set Radius = 1e-2", "set Radius = 1e400", {"Indenter / Radius = 1e400", "positive"}},
-        BadCase{"set Radius = 1e-2", "set Radius = 0,01", {"Indenter / Radius = 0,01", "positive"}},
-        BadCase{"set Radius = 1e-2", "set Radius = 1e-2\n  set Slope angle = 5", {"Slope angle = 5", "cone"}},
-        BadCase{"modulus = 1e6", "modulus = -1e6", {"Relaxed shear modulus = -1e6", "positive"}},
-        BadCase{"modulus = 1e6", "modulus = 0", {"Relaxed shear modulus = 0", "Maxwell"}},
-        BadCase{"times = 0.1", "times = 0.1, 0.2", {"Branch times = 0.1, 0.2", "1 times"}},
-        BadCase{"times = 0.1", "times = 0.1,", {"Branch times", "last comma"}},
-        BadCase{"Rheology = standard solid", "Rheology = rubber", {"Rheology = rubber", "kelvin voigt"}},
-        BadCase{"Coefficient = 0.5", "Coefficient = 0", {"Friction / Coefficient = 0", "positive"}},
-        BadCase{"Law = unidirectional", "Law = scalar", {"Friction / Law = scalar", "unidirectional"}},
-        BadCase{"Normal amplitude = 2e-5",
-                "Normal amplitude = 2e-5\n  set Normal force = 1",
-                {"Indentation = 1e-4", "Normal force"}},
-        BadCase{
-            "Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, 2", {"Normal harmonics = 1e-5, 2", "triples"}},
-        BadCase{"Phase = 60", "Phase = 60\n  set Normal harmonics = 1e-5, -2, 0", {"Normal harmonics", "positive"}},
-        BadCase{"set Radius = 1e-2",
-                "set Radius = 1e-2\n  set Flat radius = 1e-4",
-                {"Flat radius = 1e-4", "truncated sphere"}},
-        BadCase{"Shape = parabola\n  set Radius = 1e-2",
-                "Shape = table\n  set Table = none.csv",
-                {"Indenter / Table = none.csv", "relative to the case file"}},
-        BadCase{"times = 0.1", "times = 0.1\n  set Temperature = 40", {"Reference temperature is missing"}},
-        BadCase{
-            "times = 0.1", "times = 0.1\n  set Fractional order = 0.5", {"Fractional order = 0.5", "fractional zener"}},
-        BadCase{"subsection Accuracy",
-                "subsection Wear\n  set Cycles = 100\nend\nsubsection Accuracy",
-                {"Wear / Coefficient is missing"}},
-        BadCase{"Phase = 60", "Phase = often", {"Motion / Phase = often", "finite number"}},
-        BadCase{"Tolerance = 0.01", "Tolerance = 1", {"Accuracy / Tolerance = 1", "1e-5"}},
-        BadCase{"end\nsubsection Friction", "subsection Friction", {"subsection Friction stands within subsection"}},
-        BadCase{"subsection Indenter", "include bad.prm\nsubsection Indenter", {"includes itself"}},
-        BadCase{"subsection Indenter",
-                "include nowhere.prm\nsubsection Indenter",
-                {"include nowhere.prm", "no such file"}}));
 
 TEST(CaseFile, OfTheGalleryOrTheExamplesIsValid) {
   int n_files = 0;
@@ -253,17 +186,12 @@ TEST(CaseFile, OfTheGalleryOrTheExamplesIsValid) {
 }
 
 TEST(CaseFile, NamesAFileThatIsNotThere) {
-  try {
-    read_case_file("nowhere/case.prm");
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("nowhere/case.prm: no such file"), std::string::npos);
-  }
+  expect_parts(refusal([] { read_case_file("nowhere/case.prm"); }), {"nowhere/case.prm: no such file"});
 }
 
 TEST(CaseFile, RefusesASweepOverNothing) {
-  const auto message = error_of(valid_case + "subsection Sweep\n  set Entry = Motion / Speed\n  set Values = 1\nend\n");
-  EXPECT_NE(message.find("Motion / Speed"), std::string::npos) << message;
+  expect_parts(error_of(valid_case + "subsection Sweep\n  set Entry = Motion / Speed\n  set Values = 1\nend\n"),
+               {"Motion / Speed"});
 }
 
 TEST(CaseFile, SaysHowManyValuesASweepMayHave) {
@@ -280,8 +208,7 @@ TEST(CaseFile, SaysHowManyValuesASweepMayHave) {
 TEST(CaseFile, OfTwoEntriesIsAMap) {
   const auto map = [](const char* second) {
     return valid_case +
-           "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = 0.3, 0.5\n  set Second "
-           "entry = " +
+           "subsection Sweep\n  set Entry = Friction / Coefficient\n  set Values = 0.3, 0.5\n  set Second entry = " +
            second + "\n  set Second values = 5 um, 10 um, 15 um\nend\n";
   };
   const ScratchFolder folder;

@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval::case_sections_test {
@@ -96,16 +93,17 @@ TEST(CaseSections, BoundsAreTakenOrRefusedAsTheMessageSays) {
   for (const char* exponent : {"0.49", "20.1"})
     expect_parts(
         refusal([&] { indenter(std::string("set Shape = power\nset Coefficient = 3\nset Exponent = ") + exponent); }),
-        {"a number between 0.5 and 20"});
+        {std::string("Exponent = ") + exponent, "a number between 0.5 and 20"});
   for (const char* angle : {"0", "90"})
     expect_parts(refusal([&] { indenter(std::string("set Shape = cone\nset Slope angle = ") + angle); }),
-                 {"between 0 and 90 degrees"});
+                 {std::string("Slope angle = ") + angle, "between 0 and 90 degrees"});
   const std::string fractional =
       "set Rheology = fractional zener\nset Relaxed shear modulus = 1e6\nset Branch moduli = 2e6\n"
       "set Branch times = 1\nset Fractional order = ";
   EXPECT_EQ(elastomer(fractional + "1").fractional_order, 1);
   for (const char* order : {"0", "1.01"})
-    expect_parts(refusal([&] { elastomer(fractional + order); }), {"above 0 and at most 1"});
+    expect_parts(refusal([&] { elastomer(fractional + order); }),
+                 {std::string("Fractional order = ") + order, "above 0 and at most 1"});
 }
 
 TEST(CaseSections, NumbersOfAnotherShapeOrBodyAreRefused) {
@@ -113,7 +111,6 @@ TEST(CaseSections, NumbersOfAnotherShapeOrBodyAreRefused) {
                {"Indenter / Radius = 1", "it belongs to Shape = parabola or sphere or truncated sphere, not to cone"});
   expect_parts(refusal([] { elastomer("set Rheology = elastic\nset Relaxed shear modulus = 1\nset Viscosity = 1"); }),
                {"Elastomer / Viscosity = 1", "kelvin voigt or prony, not to elastic"});
-  expect_parts(refusal([] { indenter("set Shape = cone\nset Slope angle = 90"); }), {"between 0 and 90 degrees"});
 }
 
 TEST(CaseSections, EveryRheologyHasItsOwnNumbers) {
@@ -211,9 +208,10 @@ TEST(CaseSections, HarmonicsAreTriples) {
   EXPECT_EQ(read.normal_harmonics[1].amplitude, 2e-6);
   EXPECT_EQ(read.normal_harmonics[1].frequency, 5);
   EXPECT_EQ(read.normal_harmonics[1].phase, -90);
-  for (const char* bad : {"1e-6, 3", "-1e-6, 3, 45", "1e-6, 0, 45"})
-    expect_parts(refusal([&] { motion(still + "set Tangential harmonics = " + bad); }),
-                 {"Motion / Tangential harmonics = ", "triples of amplitude"});
+  for (const std::string direction : {"Normal", "Tangential"})
+    for (const char* bad : {"1e-6, 3", "-1e-6, 3, 45", "1e-6, 0, 45"})
+      expect_parts(refusal([&] { motion(still + "set " + direction + " harmonics = " + bad); }),
+                   {"Motion / " + direction + " harmonics = ", "triples of amplitude", "not negative", "positive"});
 }
 
 std::string with_contact(const std::string& entries, const std::string& text = valid_case) {

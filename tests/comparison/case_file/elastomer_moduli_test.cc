@@ -1,12 +1,10 @@
-#include "comparison/case_file/elastomer_moduli.h"
-
 #include <gtest/gtest.h>
 
 #include <utility>
 
+#include "comparison/case_file/case_sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::elastomer_moduli_test {
 namespace {

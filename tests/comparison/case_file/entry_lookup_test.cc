@@ -62,5 +62,14 @@ TEST(EntryLookup, IsWrittenAsAPage) {
                                      "| Normal harmonics | triples, a list | m, Hz, deg |"});
 }
 
+TEST(Problems, AreThrownTogetherEachOnce) {
+  Problems problems;
+  EXPECT_NO_THROW(problems.throw_if_any());
+  problems.add("one");
+  problems.add("two");
+  problems.add("one");
+  EXPECT_EQ(refusal([&] { problems.throw_if_any(); }), "one\ntwo");
+}
+
 }  // namespace
 }  // namespace fretval::entry_lookup_test

@@ -4,7 +4,6 @@
 
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval {
 namespace {

@@ -1,13 +1,11 @@
-#include "comparison/case_file/mesh_entries.h"
-
 #include <gtest/gtest.h>
 
+#include "comparison/case_file/case_sections.h"
 #include "comparison/support/content_hash.h"
 #include "comparison/support/files.h"
 #include "meshes/mesh.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/given_mesh.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::mesh_entries_test {
 namespace {

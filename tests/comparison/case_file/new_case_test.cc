@@ -5,7 +5,6 @@
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/case_file/case_file.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval::new_case_test {

@@ -1,7 +1,9 @@
-#include "comparison/command_line/case_commands.h"
-
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "comparison/command_line/verbs.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/stored_result.h"
@@ -35,9 +37,8 @@ TEST(CaseCommands, ANewCaseOverwritesNothing) {
 
 TEST(CaseCommands, ASweepIsExplainedByItsFirstCase) {
   const ScratchFolder folder;
-  const auto file = folder.write("s.prm", valid_case +
-                                              "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = "
-                                              "30, 60, 90\nend\n");
+  const auto file = folder.write(
+      "s.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 30, 60, 90\nend\n");
   const auto run = fretval_run("explain " + quoted(file), folder);
   EXPECT_EQ(run.exit_code, 0) << run.err;
   expect_parts(run.out, {"s/phase-30\n", "phase 30 deg", "3 cases over Motion / Phase"});
@@ -89,6 +90,39 @@ TEST(CaseCommands, ExplainWarnsOfAllThatARunWarnsOf) {
                {"lifts off in every cycle"});
   expect_parts(warnings(replace(valid_case, "parabola\n  set Radius = 1e-2", "cone\n  set Slope angle = 89.9")),
                {"Slope angle = 89.9 deg"});
+}
+
+TEST(TradeCommand, RefusesBadInputAndWritesNothing) {
+  const ScratchFolder folder;
+  const auto sweep = folder.write(
+      "sweep.prm", valid_case + "subsection Sweep\n  set Entry = Motion / Phase\n  set Values = 0:90:180\nend\n");
+  const auto bad = folder.write("bad.prm", replace(valid_case, "modulus = 1e6", "modulus = -1"));
+  const auto forces = folder.write(
+      "forces.prm", replace(valid_case, "Tangential amplitude = 1.5e-5", "Tangential force amplitude = 0.1"));
+  const auto out = folder.path() / "out";
+  for (const auto& file : {sweep, bad, forces, folder.path() / "nowhere.prm"})
+    EXPECT_EQ(fretval_run("trade " + file.string() + " -o " + out.string(), folder).exit_code, 2) << file;
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(ScoreCommand, ExitsWithWhatTheNumbersComeTo) {
+  const ScratchFolder folder;
+  const auto file = folder.write("mine.csv", "contact_radius_max,normal_force_max\nmm,mN\n1.095,703\n");
+  const auto score = [&](const std::string& options) {
+    return fretval_run("score " + quoted(file) + " " + options, folder);
+  };
+  const auto good = score("--benchmark 01-hertz");
+  EXPECT_EQ(good.exit_code, 0) << good.err;
+  expect_parts(good.out,
+               {"01-hertz: 2 of 2 quantities agree within 0.01 with finite elements", "largest contact radius"});
+  const auto strict = score("--benchmark 01-hertz --tolerance '0.1 %' --json");
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_EQ(nlohmann::json::parse(strict.out).at("quantities").at("normal_force_max").at("agrees"), false);
+  EXPECT_EQ(score("--benchmark hertz").exit_code, 2);
+  const auto wrong = score("--benchmark 01-hertz --tolerance much");
+  EXPECT_EQ(wrong.exit_code, 2);
+  expect_parts(wrong.err, {"--tolerance much"});
+  EXPECT_EQ(fretval_run("score nothing.csv --benchmark 01-hertz", folder).exit_code, 2);
 }
 
 }  // namespace

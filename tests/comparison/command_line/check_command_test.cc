@@ -1,11 +1,10 @@
-#include "comparison/command_line/check_command.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "comparison/command_line/verbs.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/suite_rows.h"

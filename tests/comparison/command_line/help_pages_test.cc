@@ -1,10 +1,9 @@
-#include "comparison/command_line/help_pages.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <map>
 
+#include "comparison/command_line/commands.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/reference/mdr_document.h"
-#include "comparison/results/answer_text.h"
+#include "comparison/results/unit_text.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"

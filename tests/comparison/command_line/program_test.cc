@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "tests/comparison/run_fretval.h"
 
 namespace fretval {

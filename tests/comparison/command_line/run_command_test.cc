@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "comparison/command_line/verbs.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
@@ -286,6 +287,18 @@ TEST(RunCommand, TellsDetailsWhereTheyAreAskedFor) {
   expect_parts(verbose.out, {"1 % more friction (μ) changes"});
   EXPECT_EQ(brief.err.find("bodies made"), std::string::npos) << brief.err;
   EXPECT_EQ(brief.out.find("1 % more"), std::string::npos) << brief.out;
+}
+
+TEST(OutputFile, HasAFolderToLieInAndIsNone) {
+  const ScratchFolder folder;
+  const auto file = folder.path() / "new" / "map.csv";
+  prepare_output_file("--map", file.string());
+  EXPECT_TRUE(std::filesystem::is_directory(file.parent_path()));
+  EXPECT_FALSE(std::filesystem::exists(file));
+  prepare_output_file("--map", "");
+  prepare_output_file("--map", "map.csv");
+  expect_parts(refusal([&] { prepare_output_file("--map", folder.path().string()); }),
+               {"is a folder", "--map expects"});
 }
 
 }  // namespace

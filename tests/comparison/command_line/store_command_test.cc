@@ -1,9 +1,8 @@
-#include "comparison/command_line/store_command.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "comparison/command_line/verbs.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/made_up_operator.h"
 #include "tests/comparison/read_case.h"

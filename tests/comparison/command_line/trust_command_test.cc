@@ -1,8 +1,7 @@
-#include "comparison/command_line/trust_command.h"
-
 #include <gtest/gtest.h>
 
 #include "comparison/case/case.h"
+#include "comparison/command_line/verbs.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/scratch_folder.h"

@@ -9,7 +9,6 @@
 #include "comparison/reference/mdr_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::aligned_trace_test {
 namespace {

@@ -12,7 +12,6 @@
 #include "mdr/rheology/prony_body.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/modulus_table.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval {

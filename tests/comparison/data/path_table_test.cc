@@ -7,7 +7,6 @@
 #include "comparison/case_file/case_file.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::path_table_test {
 namespace {

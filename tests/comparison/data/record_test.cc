@@ -1,5 +1,3 @@
-#include "comparison/data/record.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +5,6 @@
 
 #include "comparison/data/path_table.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval::record_test {
 namespace {

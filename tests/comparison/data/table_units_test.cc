@@ -5,7 +5,6 @@
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/modulus_table.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 
 namespace fretval::table_units_test {

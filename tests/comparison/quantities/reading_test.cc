@@ -3,10 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "tests/comparison/some_cycle.h"
 
-namespace fretval {
+namespace fretval::reading_test {
 namespace {
 
 const Scales some_scales{2, 3, 5};
@@ -56,5 +57,20 @@ TEST(Reading, HasErrorsWhereBothHaveIt) {
   EXPECT_TRUE(std::isnan(largest_of({})));
 }
 
+TEST(ReadingsJson, AreReadAsTheyWereWritten) {
+  nlohmann::ordered_json json;
+  add_readings({{Quantity::normal_force_max, {4, 1}},
+                {Quantity::stick_radius_shakedown, {{}, {}, "nothing sticks"}},
+                {Quantity::contact_radius_max, {2}}},
+               json);
+  EXPECT_EQ(json, nlohmann::ordered_json::parse(R"({"stick_radius_shakedown": null, "contact_radius_max": 2.0,
+    "normal_force_max": 4.0, "uncertainty": {"normal_force_max": 1.0},
+    "absent": {"stick_radius_shakedown": "nothing sticks"}})"));
+  EXPECT_EQ(stored_reading(json, Quantity::normal_force_max)->uncertainty, 1);
+  EXPECT_FALSE(stored_reading(json, Quantity::contact_radius_max)->uncertainty);
+  EXPECT_EQ(stored_reading(json, Quantity::stick_radius_shakedown)->why_absent, "nothing sticks");
+  EXPECT_FALSE(stored_reading(json, Quantity::friction_work));
+}
+
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::reading_test

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include "mdr/springs/path_data.h"
 #include "tests/comparison/suite_case.h"
 
@@ -36,7 +34,8 @@ TEST(CycleOfSprings, HasTheErrorsOfSprings) {
   auto cycle = cycle_of_springs(mdr, stepped, 2).value();
   EXPECT_EQ(cycle.uncertainty(Quantity::tangential_force_max), 2);
   EXPECT_FALSE(cycle.readings.at(Quantity::friction_work).uncertainty);
-  EXPECT_EQ(errors_json(cycle).dump(), R"({"force":2.0,"work":0.0,"loop":3.0})");
+  EXPECT_EQ(cycle.uncertainty(Quantity::tangential_force_mean), 2);
+  EXPECT_EQ(cycle.uncertainty(Quantity::tangential_work), 3);
   mdr.body.viscosity = 1;
   leave_out_unknown_force(mdr, cycle);
   EXPECT_EQ(cycle.readings.count(Quantity::tangential_force_max), 0U);

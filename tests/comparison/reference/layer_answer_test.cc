@@ -7,7 +7,6 @@
 #include "comparison/reference/mdr_answer.h"
 #include "mdr/layer/layer_contact.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::layer_answer_test {

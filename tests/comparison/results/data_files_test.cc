@@ -1,17 +1,19 @@
-#include "comparison/results/data_files.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "comparison/case/test_duration.h"
 #include "comparison/data/path_table.h"
+#include "comparison/results/case_result.h"
 #include "comparison/results/results_folder.h"
 #include "tests/comparison/read_case.h"
 
-namespace fretval {
+namespace fretval::data_files_test {
 namespace {
+
+using nlohmann::ordered_json;
 
 TEST(DataFiles, HaveTheTraceAndWhatIsLeftOfIt) {
   const ScratchFolder folder;
@@ -110,5 +112,73 @@ TEST(DataFiles, SayEveryNumberOfTheDataUnderItsKey) {
     "hardness": {"shore_a": 40.0, "scatter": 0.2}})"));
 }
 
+TEST(ModuliFiles, HaveTheBodyAroundItsFrequenciesAndWhatWasMeasured) {
+  const ScratchFolder folder;
+  auto input = read_case();
+  auto& curve = input.elastomer.master_curve.emplace();
+  curve.frequency = {0.01, 1, 100};
+  curve.storage = {1e6, 1.3e6, 2e6};
+  curve.loss = {1e4, 5e5, 1e4};
+  write_moduli(input, mdr::standard_solid(1e6, 1e6, 0.1), folder.path());
+  const auto [f, storage] = read_columns(folder.path() / "moduli.csv", "f [Hz]", "G' [Pa]");
+  EXPECT_NEAR(f.front(), 1e-3, 1e-12);
+  EXPECT_NEAR(f.back(), 1e3, 1e-6);
+  EXPECT_NEAR(storage.front() / 1e6, 1, 1e-6);
+  EXPECT_NEAR(storage.back() / 2e6, 1, 2e-6);
+  const auto loss = read_columns(folder.path() / "moduli.csv", "f [Hz]", "G'' [Pa]").second;
+  EXPECT_NEAR(*std::max_element(loss.begin(), loss.end()), 0.5e6, 0.005e6);  // G1/2, at omega tau = 1
+  const auto [at, measured] = read_columns(folder.path() / "measured_moduli.csv", "f [Hz]", "G'' [Pa]");
+  EXPECT_EQ(at, (std::vector<double>{0.01, 1, 100}));
+  EXPECT_EQ(measured, (std::vector<double>{1e4, 5e5, 1e4}));
+}
+
+// The valid case oscillates at 1 Hz; the moduli of spring and dashpot are equal at G0/(2 pi eta) = 15.9 Hz.
+TEST(ModuliFiles, ReachADecadeBeyondTheFrequencyOfADashpot) {
+  const ScratchFolder folder;
+  write_moduli(read_case(), mdr::prony(1e6, {}, {}, 1e4), folder.path());
+  const auto [f, loss] = read_columns(folder.path() / "moduli.csv", "f [Hz]", "G'' [Pa]");
+  EXPECT_NEAR(f.front(), 0.1, 1e-9);
+  EXPECT_NEAR(f.back(), 10 * 15.915494309, 1e-6);
+  EXPECT_NEAR(loss.back() / 1e7, 1, 1e-8) << "a decade beyond, ten times G0";
+}
+
+TEST(ModuliFiles, OfAnElasticBodyAreNone) {
+  const ScratchFolder folder;
+  write_moduli(read_case(elastic_case()), mdr::elastic(1e6), folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "moduli.csv"));
+}
+
+TEST(MeasuredValues, StandBesideBothMethods) {
+  auto input = read_case();
+  input.measured = Case::Measured{};
+  input.measured->stick_radius = Case::Measured::Value{0.8e-3, 2e-5};
+  const ordered_json fe{{"stick_radius_shakedown", 0.79e-3}}, mdr{{"stick_radius_shakedown", nullptr}};
+  const auto json = measured_json(input, fe, mdr);
+  const auto& radius = json.at("stick_radius_shakedown");
+  EXPECT_EQ(radius.at("value"), 0.8e-3);
+  EXPECT_EQ(radius.at("uncertainty"), 2e-5);
+  EXPECT_NEAR(radius.at("fe_difference").get<double>(), -1e-5, 1e-18);
+  EXPECT_TRUE(radius.at("mdr").is_null() && radius.at("mdr_difference").is_null());
+  EXPECT_TRUE(measured_json(read_case(), fe, mdr).is_null());
+}
+
+// The area of an ellipse of half axes 2e-6 m and 3 N.
+TEST(MeasuredValues, ComeOutOfLoops) {
+  auto input = read_case();
+  input.measured = Case::Measured{};
+  auto& measured = *input.measured;
+  constexpr int n = 720;
+  for (int i = 0; i < n; ++i) {
+    const double phase = 2 * M_PI * i / n;
+    measured.tangential_displacement.push_back(2e-6 * std::cos(phase));
+    measured.tangential_force.push_back(3 * std::sin(phase) - 0.5);
+    measured.normal_force.push_back(5 + std::cos(phase));
+  }
+  const auto json = measured_json(input, {{"normal_force_max", 6.5}}, ordered_json::object());
+  EXPECT_NEAR(json.at("tangential_work").at("value").get<double>() / (M_PI * 6e-6), 1, 1e-4);
+  EXPECT_NEAR(json.at("tangential_force_max").at("value").get<double>(), 3.5, 1e-4);
+  EXPECT_NEAR(json.at("normal_force_max").at("fe_difference").get<double>(), 0.5, 1e-12);
+}
+
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::data_files_test

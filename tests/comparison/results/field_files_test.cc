@@ -1,10 +1,9 @@
-#include "comparison/results/field_files.h"
-
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 
+#include "comparison/results/case_result.h"
+#include "tests/comparison/expect_parts.h"
 #include "tests/comparison/made_up_result.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/small_body.h"
@@ -47,19 +46,13 @@ double at_point(const std::string& file, const std::string& field, std::size_t c
   return values[n * nearest + component];
 }
 
-std::size_t n_steps_of(const std::string& pvd) {
-  std::size_t n = 0;
-  for (auto at = pvd.find("timestep="); at != std::string::npos; at = pvd.find("timestep=", at + 1)) ++n;
-  return n;
-}
-
 // The period ends with step 12; the deepest step is the last one, the highest the second, at 10 s.
 TEST(FieldFiles, OfTheExtremesAreInTheOrderOfTime) {
   const ScratchFolder folder;
   write(result_with_body(), Case::Fields::extremes, folder);
   for (const char* series : {"fields", "surface"}) {
     const auto pvd = text_of(folder.path() / (std::string(series) + ".pvd"));
-    EXPECT_EQ(n_steps_of(pvd), 2U);
+    EXPECT_EQ(n_of("timestep=", pvd), 2);
     EXPECT_LT(pvd.find("timestep=\"10\""), pvd.find("timestep=\"12\"")) << pvd;
     EXPECT_NE(pvd.find("timestep=\"12\""), std::string::npos);
   }
@@ -103,7 +96,7 @@ TEST(FieldFiles, OfACycleHaveAllItsSteps) {
   const ScratchFolder folder;
   write(result_with_body(), Case::Fields::cycle, folder);
   const auto pvd = text_of(folder.path() / "fields.pvd");
-  EXPECT_EQ(n_steps_of(pvd), 4U);
+  EXPECT_EQ(n_of("timestep=", pvd), 4);
   for (const char* time : {"\"9\"", "\"10\"", "\"11\"", "\"12\""}) EXPECT_NE(pvd.find(time), std::string::npos) << time;
 }
 

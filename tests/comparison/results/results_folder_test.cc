@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {

@@ -1,11 +1,10 @@
-#include "comparison/results/surface_files.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "comparison/accuracy/prepared_case.h"
+#include "comparison/results/case_result.h"
 #include "comparison/results/results_folder.h"
 #include "comparison/simulation/compute_case.h"
 #include "tests/comparison/made_up_result.h"

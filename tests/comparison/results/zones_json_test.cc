@@ -1,5 +1,3 @@
-#include "comparison/results/zones_json.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "comparison/results/answer_text.h"
+#include "comparison/results/case_result.h"
 #include "tests/comparison/damaged_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/made_up_result.h"

@@ -1,10 +1,9 @@
-#include "comparison/run/kept_results.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "comparison/run/batch.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"

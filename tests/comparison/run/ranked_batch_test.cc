@@ -1,5 +1,3 @@
-#include "comparison/run/ranked_batch.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "comparison/run/batch.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/run_ranks.h"
 

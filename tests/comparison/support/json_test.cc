@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace fretval {
@@ -16,6 +17,15 @@ TEST(OrNull, IsNullForWhatIsAbsentOrNotFiniteAndNeverForZero) {
   EXPECT_EQ(or_null(std::optional(0.0)), 0.0);
   EXPECT_EQ(or_null(std::optional(0)), 0);
   EXPECT_EQ(or_null(std::string("text")), "text");
+}
+
+TEST(NumberIn, IsThatOfAKeyOrNone) {
+  const nlohmann::ordered_json object{{"zero", 0}, {"null", nullptr}, {"text", "1"}};
+  EXPECT_EQ(number_in(object, "zero"), 0);
+  for (const char* none : {"null", "text", "absent"}) {
+    EXPECT_EQ(number_in(object, none), std::nullopt) << none;
+    EXPECT_TRUE(std::isnan(number_or_nan(object, none))) << none;
+  }
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "comparison/verification/case_parts.h"
-#include "comparison/verification/extremes/extreme_cases.h"
+#include "comparison/verification/suites.h"
+#include "comparison/verification/written_case.h"
 #include "tests/comparison/suite_rows.h"
 
 namespace fretval {

@@ -1,12 +1,9 @@
-#include "comparison/report/drawing/case_figures.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
 
-#include "comparison/case/case.h"
+#include "comparison/report/drawing/figures.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {

@@ -1,10 +1,9 @@
-#include "comparison/report/drawing/plane_figure.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/report/drawing/figures.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/stored_result.h"
 

@@ -4,12 +4,11 @@
 
 #include <cmath>
 
-#include "comparison/report/drawing/share_bars.h"
-#include "comparison/report/drawing/zone_map.h"
 #include "tests/comparison/browser.h"
 #include "tests/comparison/shown.h"
+#include "tests/comparison/stored_result.h"
 
-namespace fretval {
+namespace fretval::plots_test {
 namespace {
 
 TEST(Plots, AreDataOfThePage) {
@@ -189,5 +188,50 @@ TEST_F(PlotsSlow, AreSavedAsDrawingsOfTheirOwn) {
   EXPECT_EQ(dark.at("files"), light.at("files"));
 }
 
+Filling two_rows() {
+  return share_bars("Error <budget>", "over the tolerance", {"rings", "time step"},
+                    {{"first slip", {0.25, 0.5}}, {"force", {0, 0.125}}});
+}
+
+TEST(ShareBars, AreDataOfThePage) {
+  EXPECT_EQ(two_rows().dump(),
+            R"({"kind":"bars","title":"Error <budget>","x_label":"over the tolerance","sources":["rings","time step"],)"
+            R"("of_what":"of the tolerance","limit":1.0,)"
+            R"("rows":[{"label":"first slip","shares":[0.25,0.5],"start":0.0,"bar":0.0},)"
+            R"({"label":"force","shares":[0.0,0.125],"start":0.0,"bar":0.0}]})");
+}
+
+TEST(ZoneMap, IsDataOfThePage) {
+  EXPECT_EQ(zone_map("a < b", "r", {0.5, 1}, {"sf", "bo"}).dump(),
+            R"({"kind":"map","title":"a < b","x_label":"time over the period","y_label":"r","edges":[0.5,1.0],)"
+            R"("zones":["sf","bo"]})");
+}
+
+TEST(ZoneMap, HasTheOuterEdgesOfRings) {
+  const auto edges = outer_edges({std::sqrt(0.5), std::sqrt(2.5), std::sqrt(6.5)}, 2);
+  ASSERT_EQ(edges.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(edges[i], 0.5 * static_cast<double>(i + 1), 1e-15);
+}
+
+TEST(Axis, HasThePrefixOfTheLargestValue) {
+  const std::vector<double> small{1e-6, -2e-3, std::nan("")}, nothing{0};
+  const auto axis = axis_for({&small, &nothing}, "m");
+  EXPECT_EQ(axis.unit, "mm");
+  EXPECT_NEAR(axis.of(small)[1], -2, 1e-15);
+  EXPECT_EQ(axis_for({&nothing}, "N").unit, "N");
+}
+
+TEST(Axis, MarksTheRadiiThatThereAre) {
+  StoredResult result{stored_result(), {}};
+  result.json["scene"]["contact_radius_unworn"] = 2;
+  result.json["fe"]["stick_radius_shakedown"] = 0.5;
+  const auto marks = radius_marks(result, {"mm", 1e-3});
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_EQ(marks[0], (std::pair<std::string, double>("c", 500)));
+  EXPECT_EQ(marks[1], (std::pair<std::string, double>("a", 2000)));
+  result.json["fe"]["stick_radius_shakedown"] = nullptr;
+  EXPECT_EQ(radius_marks(result, {"m", 1}).size(), 1U);
+}
+
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::plots_test

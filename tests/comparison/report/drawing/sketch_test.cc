@@ -1,5 +1,3 @@
-#include "comparison/report/drawing/sketch.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -7,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "comparison/report/drawing/figures.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval {

@@ -1,7 +1,6 @@
-#include "comparison/report/sections/assumptions.h"
-
 #include <gtest/gtest.h>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"

@@ -1,7 +1,6 @@
-#include "comparison/report/sections/heading.h"
-
 #include <gtest/gtest.h>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/stored_result.h"
 
 namespace fretval::heading_test {

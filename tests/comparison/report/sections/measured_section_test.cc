@@ -1,7 +1,6 @@
-#include "comparison/report/sections/measured_section.h"
-
 #include <gtest/gtest.h>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/stored_result.h"
 

@@ -1,17 +1,17 @@
-#include "comparison/report/sections/suite_section.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "comparison/verification/suite_json.h"
+#include "comparison/report/sections/sections.h"
+#include "comparison/verification/suite.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
+#include "tests/comparison/stored_result.h"
 #include "tests/comparison/suite_rows.h"
 
-namespace fretval {
+namespace fretval::suite_section_test {
 namespace {
 
 TEST(SuiteSection, ShowsVerdictQuantitiesAndRows) {
@@ -66,5 +66,25 @@ TEST(SuiteSection, RefusesJsonOfAnotherKind) {
   EXPECT_THROW(suite_section(nlohmann::ordered_json::parse(R"({"records": [1]})")), nlohmann::json::exception);
 }
 
+TEST(ConvergenceSection, HasErrorsOrdersAndVerdictsOfEachRow) {
+  auto failing = stored_convergence_row(), plain = stored_convergence_row();
+  failing["errors"][1] = nullptr;
+  failing["observed_order"] = nullptr;
+  failing["verdict"] = "the error is <not> finite";
+  plain["note"] = "to roundoff";
+  const auto html = rendered(convergence_section({stored_convergence_row(), failing, plain}));
+  expect_parts(html, {"2 of 3 rows pass.",
+                      "<td>16 to 32 rings</td><td>1.0e-03, 2.5e-04</td><td>2.0 (2)</td><td>1.0e-03</td><td>pass</td>",
+                      "<td>1.0e-03, not finite</td><td>floor (2)</td><td>1.0e-03</td>"
+                      "<td class=\"bad-cell\">the error is &lt;not&gt; finite</td>",
+                      "<td>pass</td><td class=\"words\">Hertz 1882; to roundoff</td>"});
+}
+
+TEST(ConvergenceText, HasALineARow) {
+  const auto text = convergence_text({stored_convergence_row(), stored_convergence_row()});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1 + 2 + 1) << text;
+  expect_parts(text, {"\nHertz: force        16 to 32 rings  1.0e-03, 2.5e-04", "2 of 2 rows pass."});
+}
+
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::suite_section_test

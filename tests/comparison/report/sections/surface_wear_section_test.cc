@@ -1,9 +1,8 @@
-#include "comparison/report/sections/surface_wear_section.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/shown.h"

@@ -1,14 +1,12 @@
-#include "comparison/report/sections/trade_section.h"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/shown.h"
-#include "tests/comparison/stored_trade.h"
+#include "tests/comparison/stored_result.h"
 
 namespace fretval {
 namespace {

@@ -1,9 +1,8 @@
-#include "comparison/report/sections/trust_section.h"
-
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
 

@@ -1,9 +1,8 @@
-#include "comparison/report/sections/wear_section.h"
-
 #include <gtest/gtest.h>
 
 #include <map>
 
+#include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
 #include "tests/comparison/stored_result.h"

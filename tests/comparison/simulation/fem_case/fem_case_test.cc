@@ -8,7 +8,6 @@
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
-#include "tests/comparison/refusal.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/wearing_case.h"
 

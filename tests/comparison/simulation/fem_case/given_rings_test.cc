@@ -2,12 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "comparison/simulation/bodies/body_store.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/given_mesh.h"
-#include "tests/comparison/refusal.h"
 
 namespace fretval {
 namespace {

@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "tests/comparison/expect_parts.h"
 
-namespace fretval {
+namespace fretval::resolution_test {
 namespace {
 
 /// Each differs from the first one in one entry, the focused ones from each other.
@@ -80,5 +81,22 @@ TEST(Resolution, IsFinerForASmallerTolerance) {
   EXPECT_EQ(resolution_for(5e-3).steps_per_cycle, usual.steps_per_cycle) << "between two, the finer one";
 }
 
+// Numbers that differ, so that none can stand in the place of another.
+TEST(ResolutionJson, HasEveryNumberUnderItsName) {
+  const auto json = resolution_json({24, 3, 0.5, 12, 36, 8, 1e-5});
+  const nlohmann::ordered_json wanted{{"elements_per_radius", 24}, {"degree", 3},           {"growth", 0.5},
+                                      {"far_radius", 12.},         {"steps_per_cycle", 36}, {"ramp_cycles", 8},
+                                      {"periodicity", 1e-5}};
+  EXPECT_EQ(json, wanted);
+}
+
+TEST(ResolutionJson, HasAFocusIfThereIsOne) {
+  Resolution focused{24, 3, 0.5, 12, 36, 8, 1e-5};
+  focused.focus = Focus{0.25, 0.5, 0.01};
+  const auto json = resolution_json(focused);
+  EXPECT_EQ(json.size(), 8U);
+  EXPECT_EQ(json["focus"], (nlohmann::ordered_json{{"inner", 0.25}, {"outer", 0.5}, {"ring", 0.01}}));
+}
+
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::resolution_test

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace fretval {
+namespace fretval::convergence_rows_test {
 namespace {
 
 const std::vector<int> rungs{16, 32, 64, 128};
@@ -109,4 +109,4 @@ TEST(ConvergenceRow, WritesJsonWithNullForWhatIsAbsent) {
 }
 
 }  // namespace
-}  // namespace fretval
+}  // namespace fretval::convergence_rows_test

@@ -1,0 +1,32 @@
+#include "comparison/support/statistics.h"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace fretval {
+
+std::optional<double> quantile(std::vector<double> values, double share) {
+  if (values.empty()) return std::nullopt;
+  const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(values.size())));
+  const std::size_t place = rank == 0 ? 0 : rank - 1;
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
+  return values[place];
+}
+
+std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor) {
+  std::vector<double> u, v;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!(x[i] > 0) || !(y[i] > floor) || !std::isfinite(y[i])) continue;
+    u.push_back(std::log(x[i]));
+    v.push_back(std::log(y[i]));
+  }
+  if (u.empty() || *std::min_element(u.begin(), u.end()) == *std::max_element(u.begin(), u.end())) return std::nullopt;
+  const auto n = static_cast<Eigen::Index>(u.size());
+  const Eigen::Map<const Eigen::ArrayXd> abscissae(u.data(), n), ordinates(v.data(), n);
+  const Eigen::ArrayXd off = abscissae - abscissae.mean();
+  return LogSlope{(off * (ordinates - ordinates.mean())).sum() / off.square().sum(), static_cast<int>(n)};
+}
+
+}  // namespace fretval

@@ -1,0 +1,34 @@
+#include "comparison/support/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fretval::statistics_test {
+namespace {
+
+TEST(Quantile, IsTheNearestRank) {
+  EXPECT_FALSE(quantile({}, 0.5));
+  EXPECT_EQ(quantile({3, 1, 2}, 0.5), 2);
+  EXPECT_EQ(quantile({3, 1, 2}, 1), 3);
+  EXPECT_EQ(quantile({3, 1, 2}, 0), 1);
+}
+
+TEST(LogSlope, IsTheExponentOfAPower) {
+  std::vector<double> x, y;
+  for (const double value : {8.0, 12.0, 16.0, 32.0, 64.0}) {
+    x.push_back(value);
+    y.push_back(3 * std::pow(value, -2.5));
+  }
+  const auto all = log_slope(x, y, 0);
+  EXPECT_NEAR(all->slope, -2.5, 1e-13);
+  EXPECT_EQ(all->n_points, 5);
+  const auto above = log_slope(x, y, 1.01 * y[2]);  // the two largest
+  EXPECT_NEAR(above->slope, -2.5, 1e-13);
+  EXPECT_EQ(above->n_points, 2);
+  EXPECT_FALSE(log_slope(x, y, y[1]));
+  EXPECT_FALSE(log_slope({2, 2}, {1, 3}, 0));
+}
+
+}  // namespace
+}  // namespace fretval::statistics_test
