@@ -2,6 +2,7 @@
 #include <cstdint>
 
 #include "comparison/case_file/case_file.h"
+#include "comparison/reference/mdr_case.h"
 #include "comparison/simulation/fem_case/fem_case.h"
 #include "tests/comparison/scratch_folder.h"
 
