@@ -7,7 +7,7 @@
 #include "comparison/reference/layer_answer.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/plane_answer.h"
-#include "comparison/support/cycles_until.h"
+#include "comparison/support/statistics.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/springs/slip_of_periods.h"
 #include "mdr/springs/stepped_response.h"

@@ -5,7 +5,7 @@
 
 #include "comparison/simulation/fe_cycle.h"
 #include "comparison/support/constants.h"
-#include "comparison/support/cycles_until.h"
+#include "comparison/support/statistics.h"
 #include "fem/ring_contact/stick_zone/axis_pressure.h"
 #include "fem/ring_contact/stick_zone/contact_radius.h"
 #include "fem/ring_contact/stick_zone/largest_force.h"

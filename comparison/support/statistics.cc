@@ -29,4 +29,11 @@ std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vecto
   return LogSlope{(off * (ordinates - ordinates.mean())).sum() / off.square().sum(), static_cast<int>(n)};
 }
 
+std::optional<double> cycles_until(const std::vector<double>& slips, double least) {
+  const auto last = std::find_if(slips.rbegin(), slips.rend(), [least](double slip) { return slip > least; });
+  if (last == slips.rbegin() || last == slips.rend()) return std::nullopt;
+  const auto next = last.base();  // the first one that is not above it any more
+  return static_cast<double>(next - slips.begin()) + (*last - least) / (*last - *next);
+}
+
 }  // namespace fretval

@@ -8,8 +8,8 @@
 #include "comparison/quantities/quantity.h"
 #include "comparison/report/drawing/figures.h"
 #include "comparison/report/drawing/plots.h"
-#include "comparison/support/cycles_until.h"
 #include "comparison/support/json.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {
