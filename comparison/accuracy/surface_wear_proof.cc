@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
+#include "fem/contact/gross_slip.h"
 #include "fem/support/solver_error.h"
 #include "meshes/mesh_error.h"
 
@@ -34,6 +36,20 @@ struct Attempt {
   double seconds = 0;
 };
 
+/// Why something could not be computed; empty: it was.
+std::string failure_of(const std::function<void()>& compute) {
+  try {
+    compute();
+    return {};
+  } catch (const fem::SolverError& error) {
+    return error.what();
+  } catch (const meshes::MeshError& error) {
+    return error.what();
+  } catch (const fem::GrossSlip&) {
+    return "it wears until the whole contact slides: the tangential force reaches mu times the normal force";
+  }
+}
+
 double volume_of(const SurfaceWear& fe) {
   return fe.course.curve.back().volume;
 }
@@ -58,7 +74,13 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   const auto coarser = coarser_than(wear.resolution);
   if (proof != Proof::none)
     for (const auto& one : coarser) wanted.push_back(one.resolution);
-  const double edge = unworn.fe.stick_radius_shakedown.value_or(0) / fem.units.length;
+  WornEdge edge{};
+  wear.failure = failure_of([&] {
+    edge = edge_of_surface_wear(fem, *prepared.input.wear_kinetics,
+                                unworn.fe.stick_radius_shakedown.value_or(0) / fem.units.length, wear.resolution,
+                                bodies, oversight.checkpoints);
+  });
+  if (!wear.failure.empty()) return wear;
   std::vector<Attempt> made(wanted.size());
   std::mutex mutex;
   const auto told = [&](const fem::WearCourse& course) {
@@ -70,15 +92,11 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   for_each_in_parallel(wanted.size(), [&](std::size_t i) {
     const double start = processor_seconds();
     const auto nothing = [](const fem::WearCourse&) {};
-    try {
+    made[i].failure = failure_of([&] {
       made[i].fe =
           simulate_surface_wear(fem, *prepared.input.wear_kinetics, edge, wanted[i], bodies, oversight.checkpoints,
                                 i == 0 ? std::function<void(const fem::WearCourse&)>(told) : nothing);
-    } catch (const fem::SolverError& error) {
-      made[i].failure = error.what();
-    } catch (const meshes::MeshError& error) {
-      made[i].failure = error.what();
-    }
+    });
     made[i].seconds = processor_seconds() - start;
   });
   for (std::size_t i = 0; i < made.size(); ++i) {

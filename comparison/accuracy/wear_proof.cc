@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "comparison/simulation/wear_run.h"
 #include "comparison/support/log.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/support/solver_error.h"

@@ -39,30 +39,26 @@ std::optional<Case::WearKinetics> read_wear_kinetics(const EntryReader& entries,
   return wear;
 }
 
-/// The course of wear of a motion that has to be one of prescribed displacements and to repeat. otherwise: why.
-void read_wear_by_displacements(const EntryReader& entries, Case& input, const char* otherwise) {
-  const auto& motion = input.motion;
-  const bool wears_by_it = motion.path
-                               ? motion.path->repeats && !motion.path->normal_force && !motion.path->tangential_force
-                               : !motion.normal_force && !motion.tangential_force;
-  if (wears_by_it)
+/// The course of wear along a path, which has to be one of displacements that repeats.
+void read_wear_along_path(const EntryReader& entries, Case& input) {
+  const auto& path = *input.motion.path;
+  if (path.repeats && !path.normal_force && !path.tangential_force)
     input.wear_kinetics = read_wear_kinetics(entries, input.notes);
   else
-    entries.forbid_all("Wear", names_of_wear_kinetics(), otherwise);
+    entries.forbid_all("Wear", names_of_wear_kinetics(),
+                       "wear needs a Motion / Path of displacements that repeats forever");
 }
 
 void read_wear(const EntryReader& entries, Case& input) {
-  if (input.contact.is_full()) {
-    entries.forbid_all("Wear", {"State", "Stick radius ratio"},
-                       "under Contact / Friction = vector the profile that a motion is limiting for is found by wear");
-    return read_wear_by_displacements(
-        entries, input, "under Contact / Friction = vector wear needs prescribed displacements that repeat forever");
-  }
-  if (input.motion.path) {
-    entries.forbid_all("Wear", {"State", "Stick radius ratio"},
-                       "the profile that a Motion / Path is limiting for is found by wear");
-    return read_wear_by_displacements(entries, input,
-                                      "wear needs a Motion / Path of displacements that repeats forever");
+  if (input.contact.is_full() || input.motion.path) {
+    entries.forbid_all(
+        "Wear", {"State", "Stick radius ratio"},
+        input.contact.is_full()
+            ? "under Contact / Friction = vector the profile that a motion is limiting for is found by wear"
+            : "the profile that a Motion / Path is limiting for is found by wear");
+    if (input.motion.path) return read_wear_along_path(entries, input);
+    input.wear_kinetics = read_wear_kinetics(entries, input.notes);
+    return;
   }
   if (entries.says("Wear", "State", "limiting")) {
     input.wear = Case::Wear::limiting;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "comparison/reference/incompressible_case.h"
+#include "comparison/reference/plane_answer.h"
 #include "comparison/scene/scene.h"
 #include "mdr/layer/layer_contact.h"
 #include "mdr/rheology/compressible.h"
@@ -246,7 +247,12 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (is_layer_of_mdr(input))
     mdr.layer = mdr::Layer{input.body.thickness, input.elastomer.poisson_ratio,
                            input.body.is_bonded ? mdr::LayerBase::bonded : mdr::LayerBase::frictionless};
-  if (mdr.has_forces() && !mdr.path && !mdr.layer && !motion.moves_across())
+  const bool repeats_by_force = mdr.has_forces() && !mdr.path && !mdr.layer;
+  if (repeats_by_force && motion.moves_across() && input.wear_kinetics)
+    mdr.limiting_state = mdr::limiting_motion(
+        mdr.profile, rheology_of(input.elastomer), mdr.motion, mdr.normal_force, mdr.tangential_force,
+        [&mdr](const mdr::HarmonicMotion& displacements) { return plane_depths(mdr, displacements).shakedown; });
+  else if (repeats_by_force && !motion.moves_across())
     mdr.limiting_state =
         mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,
                              mdr.normal_force, mdr.tangential_force, mdr::StickCriterion::shakedown);

@@ -34,13 +34,24 @@ Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_t
   return r;
 }
 
-SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinetics& wear, double edge,
+WornEdge edge_of_surface_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius,
+                              const Resolution& resolution, BodyStore& bodies,
+                              const std::filesystem::path& checkpoints) {
+  const auto coarse = with_steps(with_rings(resolution, 0.5), 0.5);
+  return settled_edge(fem, unworn_stick_radius, [&](const WornEdge& edge) {
+    const auto nothing = [](const fem::WearCourse&) {};
+    const auto made = simulate_surface_wear(fem, wear, edge, coarse, bodies, checkpoints, nothing);
+    return WearPass{made.course.end, made.course.last.largest_indentation, made.sticks.radius, made.sticks.uncertainty};
+  });
+}
+
+SurfaceWear simulate_surface_wear(const FemCase& fem_case, const Case::WearKinetics& wear, const WornEdge& edge,
                                   const Resolution& resolution, BodyStore& bodies,
                                   const std::filesystem::path& checkpoints,
                                   const std::function<void(const fem::WearCourse&)>& after_jump) {
   Stopwatch watch;
   FemCase fem = fem_case;
-  fem.worn_edge = WornEdge{edge, widest_wear(fem, 1)};
+  fem.worn_edge = edge;
   fem = at_resolution(std::move(fem), resolution);
   SurfaceWear simulation;
   simulation.grid =

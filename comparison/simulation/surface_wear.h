@@ -29,10 +29,14 @@ struct SurfaceWear {
 /// taken, as for the wear of rings (resolution_for_wear).
 Resolution resolution_for_surface_wear(const Case& input, const Resolution& of_the_case);
 
-/// Runs the wear of a case with friction as a vector and prescribed displacements to its end. edge: the stick radius of
-/// the unworn indenter, around which rings are graded; where nothing sticks, 0: equal rings. Throws fem::SolverError
-/// where the numerics fail.
-SurfaceWear simulate_surface_wear(const FemCase& fem, const Case::WearKinetics& wear, double edge,
+/// settled_edge() of wear on half of the rings and steps of a resolution.
+WornEdge edge_of_surface_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius,
+                              const Resolution& resolution, BodyStore& bodies,
+                              const std::filesystem::path& checkpoints);
+
+/// Runs the wear of a case with friction as a vector to its end. edge: rings are graded around its inner radius (0:
+/// equal rings), and the contact line reaches beyond the outer one. Throws fem::SolverError where the numerics fail.
+SurfaceWear simulate_surface_wear(const FemCase& fem, const Case::WearKinetics& wear, const WornEdge& edge,
                                   const Resolution& resolution, BodyStore& bodies,
                                   const std::filesystem::path& checkpoints,
                                   const std::function<void(const fem::WearCourse&)>& after_jump);

@@ -9,7 +9,9 @@
 
 #include "comparison/simulation/bodies/operator_key.h"
 #include "comparison/simulation/wear_checkpoint.h"
+#include "fem/contact/require_room.h"
 #include "fem/ring_contact/static_contact.h"
+#include "fem/support/solver_error.h"
 #include "histories_hash.h"
 
 namespace fretval {
@@ -65,6 +67,33 @@ double widest_wear(const FemCase& fem, double largest_indentation) {
     (fem.profile(middle) < largest_indentation ? inner : outer) = middle;
   }
   return outer;
+}
+
+bool stick_radius_moves(const FemCase& fem) {
+  return fem.motion.has_forces() || fem.solid;
+}
+
+WornEdge settled_edge(const FemCase& fem, double unworn_stick_radius,
+                      const std::function<WearPass(const WornEdge&)>& pass_at) {
+  if (!stick_radius_moves(fem)) return {unworn_stick_radius, widest_wear(fem, 1)};
+  const bool sinks = fem.motion.has_forces();
+  constexpr int most_passes = 12;
+  constexpr double reserve = 1.05, deeper = 1.5;
+  double depth = sinks ? deeper : 1, stick_radius = unworn_stick_radius;
+  for (int i = 0; i < most_passes; ++i) {
+    const WornEdge edge{stick_radius, widest_wear(fem, depth)};
+    try {
+      const auto pass = pass_at(edge);
+      if (pass.end == fem::WearEnd::progressive) return {0, edge.outer};
+      if (sinks) depth = reserve * pass.largest_indentation;
+      const double before = std::exchange(stick_radius, pass.stick_radius);
+      if (std::abs(stick_radius - before) <= pass.ring) return {stick_radius, widest_wear(fem, depth)};
+    } catch (const fem::NoRoom&) {
+      if (fem.given) throw;
+      depth *= deeper;
+    }
+  }
+  throw fem::SolverError(fmt::format("the stick radius under wear does not settle in {} runs", most_passes));
 }
 
 fem::WornProfile profile_before_wear(const FemCase& fem, const fem::Compliance& rings) {

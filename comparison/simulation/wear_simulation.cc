@@ -1,14 +1,11 @@
 #include "comparison/simulation/wear_simulation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
-#include "fem/contact/require_room.h"
 #include "fem/wear/rubbing_rings.h"
 
 namespace fretval {
@@ -62,34 +59,15 @@ Resolution resolution_for_wear(const Resolution& of_the_case) {
   return r;
 }
 
-bool stick_radius_moves(const FemCase& fem) {
-  return fem.motion.has_forces() || fem.solid;
-}
-
 WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
                       const WearRun& run) {
-  if (!stick_radius_moves(fem)) return {unworn_stick_radius, widest_wear(fem, 1)};
-  const bool sinks = fem.motion.has_forces();
-  constexpr int most_passes = 12;
-  constexpr double reserve = 1.05, deeper = 1.5;
-  auto resolution = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
-  double depth = sinks ? deeper : 1, stick_radius = unworn_stick_radius;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    const WornEdge edge{stick_radius, widest_wear(fem, depth)};
-    try {
-      const auto pass_made = simulate_wear(fem, wear, edge, resolution, bodies, {run.checkpoints});
-      const auto& course = pass_made.course;
-      if (course.end == fem::WearEnd::progressive) return {0, edge.outer};
-      if (sinks) depth = reserve * course.last.largest_indentation;
-      const double before = std::exchange(stick_radius, course.curve.back().stick_radius);
-      if (std::abs(stick_radius - before) <= rings_at(pass_made.radii, stick_radius).outside)
-        return {stick_radius, widest_wear(fem, depth)};
-    } catch (const fem::NoRoom&) {
-      if (fem.given) throw;
-      depth *= deeper;
-    }
-  }
-  throw fem::SolverError(fmt::format("the stick radius under wear does not settle in {} runs", most_passes));
+  const auto coarse = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
+  return settled_edge(fem, unworn_stick_radius, [&](const WornEdge& edge) {
+    const auto made = simulate_wear(fem, wear, edge, coarse, bodies, {run.checkpoints});
+    const double stick_radius = made.course.curve.back().stick_radius;
+    return WearPass{made.course.end, made.course.last.largest_indentation, stick_radius,
+                    rings_at(made.radii, stick_radius).outside};
+  });
 }
 
 WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& wear, const WornEdge& edge,

@@ -45,15 +45,7 @@ struct WearRun {
   std::function<void(const WearSimulation& rings, const fem::WearCourse& course)> progress = {};
 };
 
-/// Whether wear may move the stick radius: under prescribed forces, and over another body than a half-space.
-bool stick_radius_moves(const FemCase& fem);
-
-/// Edges of the worn flank at the end of wear: the stick radius, and the largest radius that wear can reach.
-/// unworn_stick_radius: that of finite elements on the unworn indenter. Under prescribed displacements over a
-/// half-space the stick radius stays the same, and the flank is worn to the plane of the largest indentation. Under
-/// prescribed forces the indenter sinks in as it wears and the stick radius may move: then wear is computed on coarse
-/// rings graded around it, and again around the stick radius at the end of that, until it moves by no more than a ring.
-/// Throws SolverError when it does not settle.
+/// settled_edge() of wear on coarse rings.
 WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double unworn_stick_radius, BodyStore& bodies,
                       const WearRun& run = {});
 

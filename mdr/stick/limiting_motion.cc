@@ -55,6 +55,17 @@ std::optional<double> descend(const Profile& profile, const std::function<double
 std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheology& body, double mu,
                                               const HarmonicMotion& prescribed, bool with_normal_force,
                                               bool with_tangential_force, StickCriterion criterion) {
+  return limiting_motion(profile, body, prescribed, with_normal_force, with_tangential_force,
+                         [&](const HarmonicMotion& motion) {
+                           const auto depths = stick_depths(body, mu, motion);
+                           return criterion == StickCriterion::shakedown ? depths.shakedown : depths.first_slip;
+                         });
+}
+
+std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheology& body,
+                                              const HarmonicMotion& prescribed, bool with_normal_force,
+                                              bool with_tangential_force,
+                                              const std::function<double(const HarmonicMotion&)>& sticking_depth_of) {
   validate(prescribed);
   const double load = prescribed.indentation / (8 * relaxed_modulus(body));
   const auto unworn_load = [&profile](double c) { return normal_force(profile, 1, transform(profile, c)) / 8; };
@@ -67,10 +78,7 @@ std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheo
     if (with_tangential_force) motion.tangential = displacements_of(motion.tangential, body, 16.0 / 3 * c);
     return motion;
   };
-  const auto sticking_depth = [&](double c) {
-    const auto depths = stick_depths(body, mu, motion_at(c));
-    return criterion == StickCriterion::shakedown ? depths.shakedown : depths.first_slip;
-  };
+  const auto sticking_depth = [&](double c) { return sticking_depth_of(motion_at(c)); };
 
   std::optional<double> stick_radius;
   if (with_normal_force) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "mdr/motion/harmonic_motion.h"
@@ -28,5 +29,12 @@ struct LimitingMotion {
 std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheology& body, double mu,
                                               const HarmonicMotion& prescribed, bool with_normal_force,
                                               bool with_tangential_force, StickCriterion criterion);
+
+/// The same for any depth g(c) at the edge of the stick zone, as a function of the displacements of the indenter: with
+/// plane_stick_depths() of mdr/plane/plane_stick.h for a motion in two directions.
+std::optional<LimitingMotion> limiting_motion(const Profile& profile, const Rheology& body,
+                                              const HarmonicMotion& prescribed, bool with_normal_force,
+                                              bool with_tangential_force,
+                                              const std::function<double(const HarmonicMotion&)>& sticking_depth_of);
 
 }  // namespace fretval::mdr

@@ -39,15 +39,24 @@ inline PreparedCase wearing_case(const std::string& wear, const std::string& mot
 
 /// The indenter of wearing_text goes in a circle of 40 um at a constant depth of 0.1 mm, with friction as a vector, on
 /// so few rings and steps that it wears in seconds: by MDR c^2 = 1 - 0.8/3, in units of the contact radius.
-inline PreparedCase wearing_in_a_circle(const std::string& more = "") {
+inline std::string wearing_in_a_circle_text() {
   std::string text = elastic_case() + "subsection Wear\n  set Coefficient = 1e-12\nend\n";
   text = replace(text, "Normal amplitude = 2e-5", "Normal amplitude = 0");
   text = replace(text, "Tangential amplitude = 1.5e-5",
                  "Tangential amplitude = 2e-5\n  set Transverse amplitude = 2e-5\n  set Transverse phase = 90");
   text = replace(text, "Phase = 60", "Phase = 0");
   text += "subsection Contact\n  set Friction = vector\nend\n";
-  text += "subsection Accuracy\n  set Rings per radius = 16\n  set Steps per cycle = 16\nend\n";
-  return prepare({read_case(text + more)}).front();
+  return text + "subsection Accuracy\n  set Rings per radius = 16\n  set Steps per cycle = 16\nend\n";
+}
+
+inline PreparedCase wearing_in_a_circle(const std::string& more = "") {
+  return prepare({read_case(wearing_in_a_circle_text() + more)}).front();
+}
+
+/// The same under the constant force that presses it in by 0.1 mm.
+inline PreparedCase wearing_in_a_circle_under_a_weight() {
+  auto text = replace(wearing_in_a_circle_text(), "Indentation = 1e-4", "Normal force = 0.5333333");
+  return prepare({read_case(replace(text, "Normal amplitude = 0", "Normal force amplitude = 0"))}).front();
 }
 
 }  // namespace fretval

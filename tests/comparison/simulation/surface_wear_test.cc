@@ -5,12 +5,17 @@
 #include <filesystem>
 #include <iterator>
 
+#include "comparison/simulation/wear_run.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
 
 namespace fretval::surface_wear_test {
 namespace {
+
+WornEdge edge_at(const PreparedCase& prepared, double stick_radius) {
+  return {stick_radius, widest_wear(prepared.fem, 1)};
+}
 
 TEST(SurfaceWear, ResolutionIsThatOfTheCaseFile) {
   const auto prepared = wearing_in_a_circle();
@@ -26,8 +31,8 @@ TEST(SurfaceWear, InACircleEatsIntoWhatSticks) {
   const auto prepared = wearing_in_a_circle();
   const auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
   int n_told = 0;
-  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.8, resolution, shared_bodies(),
-                                          {}, [&](const fem::WearCourse&) { ++n_told; });
+  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, edge_at(prepared, 0.8),
+                                          resolution, shared_bodies(), {}, [&](const fem::WearCourse&) { ++n_told; });
   EXPECT_EQ(wear.course.end, fem::WearEnd::nothing_left);
   EXPECT_EQ(n_told, wear.course.n_jumps);
   EXPECT_LT(wear.sticks.radius, 0.82);
@@ -47,13 +52,27 @@ TEST(SurfaceWear, GoesOnFromWhatHasWornBefore) {
   prepared.fem.worn_before = WornBefore{[](double) { return 0.19; }, {}};
   auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
   resolution.wear_jump *= 4;
-  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.6, resolution, shared_bodies(),
-                                          {}, [](const fem::WearCourse&) {});
+  const auto wear = simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, edge_at(prepared, 0.6),
+                                          resolution, shared_bodies(), {}, [](const fem::WearCourse&) {});
   EXPECT_NEAR(wear.course.curve.front().contact_radius, 0.9, 1.0 / 16);
   const auto first = wear.field(wear.course.worn.front()), last = wear.field(wear.course.worn.back());
   EXPECT_LT((first.array() - 0.19).abs().maxCoeff(), 1e-12);
   EXPECT_LT((last.topRows(3).array() - 0.19).abs().maxCoeff(), 1e-12);
   EXPECT_GT(last.maxCoeff(), 0.25);
+}
+
+// Under a weight the indenter sinks in as it wears, and the circle leaves less to stick than MDR's limit.
+TEST(SurfaceWear, SinksInUnderAWeight) {
+  const auto prepared = wearing_in_a_circle_under_a_weight();
+  auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
+  resolution.wear_jump *= 2;
+  const auto edge =
+      edge_of_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.8, resolution, shared_bodies(), {});
+  ASSERT_TRUE(prepared.mdr.limiting_state);
+  const double limit = prepared.mdr.limiting_state->stick_radius / prepared.fem.units.length;
+  EXPECT_LT(edge.inner, limit - 0.05);
+  EXPECT_GT(edge.inner, 0.5);
+  EXPECT_GT(prepared.fem.profile(edge.outer), 1.05) << "deeper than the unworn indenter";
 }
 
 // A motion across and one along x with the same numbers are two wears.
@@ -65,8 +84,8 @@ TEST(SurfaceWear, KeepsACheckpointOfItsOwnForEachDirection) {
     prepared.fem.motion.tangential.back().across = across;
     const auto resolution = resolution_for_surface_wear(prepared.input, prepared.fem.resolution);
     const auto kill = [](const fem::WearCourse&) { throw Killed(); };
-    EXPECT_THROW(simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, 0.8, resolution, shared_bodies(),
-                                       folder.path(), kill),
+    EXPECT_THROW(simulate_surface_wear(prepared.fem, *prepared.input.wear_kinetics, edge_at(prepared, 0.8), resolution,
+                                       shared_bodies(), folder.path(), kill),
                  Killed);
   }
   const std::filesystem::directory_iterator begin(folder.path()), end;

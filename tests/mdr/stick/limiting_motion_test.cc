@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mdr/plane/plane_stick.h"
 #include "mdr/profiles/indentation.h"
 #include "mdr/stick/limiting_state.h"
 #include "mdr/support/constants.h"
@@ -59,6 +60,22 @@ TEST(LimitingMotion, UnderTwoForcesOfAnyFrequenciesDoesNotDependOnTheBody) {
     EXPECT_NEAR(normal_force(parabola(2), 1, depth), mean - (forward + backward) / 2, 1e-7);
     EXPECT_NE(maximum_indentation(found->motion), std::exchange(deepest, maximum_indentation(found->motion)));
   }
+}
+
+// A circle of radius u under a constant normal force F on an elastic parabola f = r^2/(2 R): g(c) = d - 2 u/(3 mu), and
+// the flat punch of radius c bears F = 8 G (c d - c^3/(3 R)). Then 2 c^3/(3 R) + 2 u c/(3 mu) = F/(8 G).
+TEST(LimitingMotion, InACircleUnderAWeight) {
+  const double G = 2, R = 2, u = 0.02, F = 3;
+  const Rheology body = elastic(G);
+  const HarmonicMotion circle{F, {}, {{u, 1, 0}, {u, 1, pi / 2, true}}};
+  const auto depth = [&](const HarmonicMotion& motion) {
+    return plane_stick_depths(stuck_element(body, mu, motion, 4096)).shakedown;
+  };
+  const auto found = limiting_motion(parabola(R), body, circle, true, false, depth);
+  ASSERT_TRUE(found);
+  const double c = found->stick_radius;
+  EXPECT_NEAR(2 * c * c * c / (3 * R) + 2 * u * c / (3 * mu), F / (8 * G), 1e-6);
+  EXPECT_NEAR(found->motion.indentation, c * c / R + 2 * u / (3 * mu), 1e-6);
 }
 
 TEST(LimitingMotion, IsNoneWhereNothingCarriesTheOscillation) {
