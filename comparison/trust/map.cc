@@ -255,7 +255,10 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double f
   SceneChanges changes(input, bodies);
   const auto first = first_resolution(changes.fem(), planned, point.at, fineness);
   auto found = with_bars(changes, first);
-  if (const auto source = what_widens(found)) found = with_bars(changes, *refined(first, *source));
+  // A step of a coupled contact on a layer takes five times as long as on a half-space.
+  const bool worth_more = planned.scene.coupled && planned.scene.radius_over_thickness == 0;
+  if (const auto source = worth_more ? what_widens(found) : std::nullopt)
+    found = with_bars(changes, *refined(first, *source));
   point.changes = std::move(found.changes);
   return point;
 }
