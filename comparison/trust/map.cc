@@ -4,12 +4,14 @@
 
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/error_budget.h"
 #include "comparison/accuracy/fe_readings.h"
 #include "comparison/accuracy/prepared_case.h"
+#include "comparison/accuracy/refinement.h"
 #include "comparison/reference/mdr_answer.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/simulation/compute_case.h"
@@ -72,56 +74,121 @@ void plan_elsewhere(std::vector<PlannedPoint>& planned) {
   add_coupled(coupled);
 }
 
-/// Few rings where pressure and friction are coupled, whose steps take longest. Micro-slip moves an edge by so little
-/// that it has to die out further than a single case asks for.
-Resolution resolution_of(const PreparedCase& prepared, bool coupled) {
-  auto resolution = prepared.fem.resolution;
-  resolution.elements_per_radius = coupled ? 48 : 96;
-  resolution.steps_per_cycle = coupled ? 72 : 144;
+/// Rings that a zone of which a radius is read, or the annulus that slips around it, has at least: four of the fewest
+/// rings of a bar.
+constexpr double rings_of_a_zone = 16;
+
+/// Rings graded to the slip annulus or to the smaller stick zone that MDR has, if equal rings resolve one of them by
+/// fewer. Coupling moves the ends of both, so that the fine rings go on beyond them.
+std::optional<Focus> focus_on_zone(const Coordinates& at, double rings) {
+  if (!at.shakedown) return {};
+  const double annulus = 1 - *at.shakedown, zone = std::min(*at.shakedown, at.first_slip.value_or(1));
+  if (annulus * rings < rings_of_a_zone) return Focus{std::max(0.0, 1 - 2 * annulus), 1, annulus / rings_of_a_zone};
+  if (zone * rings < rings_of_a_zone) return Focus{0, 1.5 * zone, zone / rings_of_a_zone};
+  return {};
+}
+
+/// Where a point is computed first: on few rings where pressure and friction are coupled, whose steps take longest.
+/// Micro-slip moves an edge by so little that it has to die out further than a single case asks for.
+Resolution first_resolution(const FemCase& fem, const PlannedPoint& planned, const Coordinates& at, double fineness) {
+  auto resolution = fem.resolution;
+  resolution.elements_per_radius = planned.scene.coupled ? 48 : 96;
+  resolution.steps_per_cycle = planned.scene.coupled ? 72 : 144;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
+  resolution = with_steps(with_rings(resolution, fineness), fineness);
+  resolution.focus = focus_on_zone(at, resolution.elements_per_radius);
   return resolution;
 }
 
-/// A case with the full contact, and the same with the ring contact.
-struct Pair {
-  PreparedCase full, on_rings;
+/// The changes of a scene from the ring contact to the full contact, at each resolution computed once.
+class SceneChanges {
+ public:
+  SceneChanges(const Case& input, BodyStore& bodies) : full_(prepare({input}).front()), bodies_(bodies) {
+    auto of_one_direction = input;
+    of_one_direction.contact = {};
+    on_rings_ = prepare({of_one_direction}).front();
+  }
+
+  [[nodiscard]] const FemCase& fem() const { return full_.fem; }
+  [[nodiscard]] const std::map<Resolution, Quantities>& known() const { return known_; }
+
+  const Quantities& at(const Resolution& resolution) {
+    const auto [place, is_new] = known_.try_emplace(resolution);
+    if (is_new) place->second = computed(resolution);
+    return place->second;
+  }
+
+ private:
+  [[nodiscard]] Quantities computed(const Resolution& resolution) const {
+    const auto readings = [&](const PreparedCase& prepared) {
+      return readings_of(compute_case(prepared.fem, resolution, bodies_), prepared.fem.units);
+    };
+    const auto full = readings(full_), on_rings = readings(on_rings_);
+    Quantities changes;
+    for (const auto quantity : mapped_quantities) {
+      const auto more = full.find(quantity), less = on_rings.find(quantity);
+      if (more == full.end() || less == on_rings.end()) continue;
+      if (const auto& of_full = more->second.value, &of_rings = less->second.value;
+          of_full && of_rings && *of_rings > 0)
+        changes[quantity] = *of_full / *of_rings - 1;
+    }
+    return changes;
+  }
+
+  PreparedCase full_, on_rings_;
+  BodyStore& bodies_;
+  std::map<Resolution, Quantities> known_;
 };
 
-Pair pair_of(const Case& input) {
-  auto of_one_direction = input;
-  of_one_direction.contact = {};
-  return {prepare({input}).front(), prepare({of_one_direction}).front()};
-}
+struct ChangesWithBars {
+  std::map<Quantity, ModelChange> changes;
+  ErrorBudget bars;
+};
 
-Quantities changes_at(const Pair& pair, const Resolution& resolution, BodyStore& bodies) {
-  const auto readings = [&](const PreparedCase& prepared) {
-    return readings_of(compute_case(prepared.fem, resolution, bodies), prepared.fem.units);
-  };
-  const auto full = readings(pair.full), on_rings = readings(pair.on_rings);
-  Quantities changes;
-  for (const auto quantity : mapped_quantities) {
-    const auto more = full.find(quantity), less = on_rings.find(quantity);
-    if (more == full.end() || less == on_rings.end()) continue;
-    if (const auto& of_full = more->second.value, &of_rings = less->second.value; of_full && of_rings && *of_rings > 0)
-      changes[quantity] = *of_full / *of_rings - 1;
+ChangesWithBars with_bars(SceneChanges& changes, const Resolution& finest) {
+  const auto quick = with_steps(finest, 0.5), both = with_rings(quick, 0.5), more_angles = with_angles(both, 4);
+  auto less_settled = both;
+  less_settled.periodicity *= 10;
+  const std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},
+                                      {ErrorSource::time_step, with_steps(finest, 0.25), finest},
+                                      {ErrorSource::angles, with_angles(both, 2), more_angles},
+                                      {ErrorSource::angles, both, more_angles},
+                                      {ErrorSource::rings, both, quick},
+                                      {ErrorSource::rings, with_rings(quick, 0.25), quick}};
+  for (const auto& variant : variants)
+    for (const auto& resolution : {variant.reference, variant.resolution}) changes.at(resolution);
+  const auto &loose = changes.at(less_settled), &settled = changes.at(both);
+  ChangesWithBars found{{}, error_budget(finest, variants, changes.known(), {}, needs_of(changes.fem()))};
+  for (auto& [quantity, bar] : found.bars) {
+    constexpr double all_of_it = 1;  // a bar of what MDR has: nothing is known then
+    if (!(bar.total() < all_of_it) || loose.count(quantity) == 0) continue;
+    const double unsettled = settled.at(quantity) - loose.at(quantity),
+                 by_angles = changes.at(more_angles).at(quantity) - settled.at(quantity);
+    // What is left of settling is in proportion to what still changes in a cycle: a ninth of the effect of ten times
+    // that change, times three for safety.
+    bar.add(ErrorSource::cycles, std::abs(unsettled) / 3);
+    found.changes[quantity] = {changes.at(finest).at(quantity) + by_angles, bar.total()};
   }
-  return changes;
+  return found;
 }
 
-/// Bars of the changes. Of the radius of a zone that has few of the fewest rings, these say nothing.
-ErrorBudget bars_of(std::vector<Variant> variants, const Resolution& finest,
-                    const std::map<Resolution, Quantities>& known, const FemCase& fem, const Coordinates& at) {
-  constexpr double enough_rings_of_a_zone = 4;
-  const int fewest_rings = variants.back().resolution.elements_per_radius;
-  const auto has_few = [&](const std::optional<double>& c) { return c && *c * fewest_rings < enough_rings_of_a_zone; };
-  auto bars = error_budget(finest, variants, known, {}, needs_of(fem));
-  variants.pop_back();
-  auto without_fewest = error_budget(finest, variants, known, {}, needs_of(fem));
-  for (const auto& [quantity, c] : {std::pair(Quantity::stick_radius_first_slip, at.first_slip),
-                                    std::pair(Quantity::stick_radius_shakedown, at.shakedown)})
-    if (has_few(c) && bars.count(quantity) > 0) bars[quantity] = without_fewest.at(quantity);
-  return bars;
+/// Rings or time steps, whichever adds more to the bars that are wider than a tenth of an effect; empty: none is.
+/// Effects that nobody would notice may have wide bars.
+std::optional<ErrorSource> what_widens(const ChangesWithBars& found) {
+  constexpr double least_effect = 1e-3, narrow = 0.1;
+  double by_rings = 0, by_steps = 0;
+  for (const auto& [quantity, bar] : found.bars) {
+    const auto change = found.changes.find(quantity);
+    const double effect = change == found.changes.end() ? 1 : std::abs(change->second.value);
+    if (effect < least_effect || bar.total() <= narrow * effect) continue;
+    for (const auto& share : bar.shares) {
+      if (share.source == ErrorSource::rings) by_rings += share.estimate / effect;
+      if (share.source == ErrorSource::time_step) by_steps += share.estimate / effect;
+    }
+  }
+  if (by_rings == 0 && by_steps == 0) return {};
+  return by_rings > by_steps ? ErrorSource::rings : ErrorSource::time_step;
 }
 
 }  // namespace
@@ -183,36 +250,16 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input) {
 }
 
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness) {
-  const auto& scene = planned.scene;
-  const auto input = case_of(scene);
+  const auto input = case_of(planned.scene);
   auto point = point_by_mdr(planned, input);
-  const auto pair = pair_of(input);
-  const auto finest = with_steps(with_rings(resolution_of(pair.full, scene.coupled), fineness), fineness),
-             quick = with_steps(finest, 0.5), both = with_rings(quick, 0.5), more_angles = with_angles(both, 4);
-  auto less_settled = both;
-  less_settled.periodicity *= 10;
-  const std::vector<Variant> variants{{ErrorSource::time_step, quick, finest},
-                                      {ErrorSource::time_step, with_steps(finest, 0.25), finest},
-                                      {ErrorSource::angles, with_angles(both, 2), more_angles},
-                                      {ErrorSource::angles, both, more_angles},
-                                      {ErrorSource::rings, both, quick},
-                                      {ErrorSource::rings, with_rings(quick, 0.25), quick}};
-  std::map<Resolution, Quantities> known;
-  for (const auto& variant : variants)
-    for (const auto& resolution : {variant.reference, variant.resolution})
-      if (known.count(resolution) == 0) known[resolution] = changes_at(pair, resolution, bodies);
-  const auto loose = changes_at(pair, less_settled, bodies);
-  auto bars = bars_of(variants, finest, known, pair.full.fem, point.at);
-  for (auto& [quantity, bar] : bars) {
-    constexpr double all_of_it = 1;  // a bar of what MDR has: nothing is known then
-    if (!(bar.total() < all_of_it) || loose.count(quantity) == 0) continue;
-    const double unsettled = known.at(both).at(quantity) - loose.at(quantity),
-                 by_angles = known.at(more_angles).at(quantity) - known.at(both).at(quantity);
-    // What is left of settling is in proportion to what still changes in a cycle: a ninth of the effect of ten times
-    // that change, times three for safety.
-    bar.add(ErrorSource::cycles, std::abs(unsettled) / 3);
-    point.changes[quantity] = {known.at(finest).at(quantity) + by_angles, bar.total()};
-  }
+  SceneChanges changes(input, bodies);
+  const auto first = first_resolution(changes.fem(), planned, point.at, fineness);
+  auto found = with_bars(changes, first);
+  // A step of a coupled contact on a layer takes five times as long as on a half-space.
+  const bool worth_more = planned.scene.coupled && planned.scene.radius_over_thickness == 0;
+  if (const auto source = worth_more ? what_widens(found) : std::nullopt)
+    found = with_bars(changes, *refined(first, *source));
+  point.changes = std::move(found.changes);
   return point;
 }
 

@@ -42,15 +42,26 @@ TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
   EXPECT_NEAR(none.value, 0, 1e-6);
 }
 
-// The fewest rings, 12 to the contact radius, have two in a zone of 0.2 a: they would make its bar as wide as the
-// value.
-TEST(ComputedPoint, DoesNotReadABarFromZonesOfFewRings) {
+// Of 48 equal rings to the contact radius, the fewest of a bar would have two in a zone of 0.2 a: its bar would be as
+// wide as the value.
+TEST(ComputedPoint, ResolvesASmallStickZone) {
   BodyStore bodies;
   MapScene scene{0.2};
   scene.phase = 90;
   const auto& radius = computed_point({"phase", "", scene}, bodies, 0.5).changes.at(Quantity::stick_radius_shakedown);
   EXPECT_NEAR(radius.value, -0.07, 0.02);
-  EXPECT_LT(radius.bar, 0.02);
+  EXPECT_LT(radius.bar, 0.007);
+}
+
+// All slip takes place within 0.05 a of the edge, of two in 48 equal rings: -0.2 % would be read of them. The value is
+// that of 192 equal rings and 288 steps.
+TEST(ComputedPoint, ResolvesAThinSlipAnnulus) {
+  BodyStore bodies;
+  MapScene scene{0.95};
+  scene.phase = 0;
+  const auto& work = computed_point({"phase", "", scene}, bodies, 0.5).changes.at(Quantity::friction_work);
+  EXPECT_NEAR(work.value, -0.02405, work.bar);
+  EXPECT_LT(work.bar, 0.005);
 }
 
 }  // namespace
