@@ -115,7 +115,18 @@ void carry_drift(const Track& track, ErrorBudget& budget) {
   widen(budget.at(first_slip), track.value(shakedown) + budget.at(shakedown).total());
 }
 
-/// Under an unlocked phase the two stick radii are equal: the larger of their shares of creep is a share of both.
+/// How far the two stick radii are apart that are equal under an unlocked phase, as every harmonic moves as far forward
+/// as backward: one of them is off by half of that at least. 0 where several harmonics need not do so, or nothing
+/// sticks in the end or on the way (carry_drift).
+double apart(const Track& track) {
+  const double first_slip = track.value(Quantity::stick_radius_first_slip),
+               shakedown = track.value(Quantity::stick_radius_shakedown);
+  const bool are_equal = track.prepared.fem.motion.tangential.size() == 1 && first_slip > 0 && shakedown > 0;
+  return are_equal ? std::abs(first_slip - shakedown) : 0;
+}
+
+/// Under an unlocked phase the larger of the shares of creep of the two stick radii is a share of both, and so is how
+/// far they are apart.
 void carry_creep(const Track& track, ErrorBudget& budget) {
   if (!needs_of(track.prepared.fem).creep) return;
   const auto creep_of = [&](Quantity quantity) {
@@ -128,9 +139,10 @@ void carry_creep(const Track& track, ErrorBudget& budget) {
   const auto widen_to = [&](Quantity quantity, double other) {
     if (const double own = creep_of(quantity); other > own) budget.at(quantity).add(ErrorSource::creep, other - own);
   };
-  const double first_slip = creep_of(Quantity::stick_radius_first_slip);
-  widen_to(Quantity::stick_radius_first_slip, creep_of(Quantity::stick_radius_shakedown));
-  widen_to(Quantity::stick_radius_shakedown, first_slip);
+  const double share =
+      std::max({creep_of(Quantity::stick_radius_first_slip), creep_of(Quantity::stick_radius_shakedown), apart(track)});
+  for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
+    widen_to(quantity, share);
 }
 
 /// A cycle that stands for a motion without a common period demands a little less or more depth of an element that

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "comparison/reference/incompressible_case.h"
-#include "comparison/reference/plane_answer.h"
 #include "comparison/scene/scene.h"
 #include "mdr/layer/layer_contact.h"
+#include "mdr/plane/plane_stick.h"
 #include "mdr/rheology/compressible.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/stick/shakedown_amplitude.h"
@@ -251,7 +251,9 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   if (repeats_by_force && motion.moves_across() && input.wear_kinetics)
     mdr.limiting_state = mdr::limiting_motion(
         mdr.profile, rheology_of(input.elastomer), mdr.motion, mdr.normal_force, mdr.tangential_force,
-        [&mdr](const mdr::HarmonicMotion& displacements) { return plane_depths(mdr, displacements).shakedown; });
+        [&mdr](const mdr::HarmonicMotion& displacements) {
+          return mdr::plane_stick_depths(mdr::Rheology(mdr.body), mdr.friction_coefficient, displacements).shakedown;
+        });
   else if (repeats_by_force && !motion.moves_across())
     mdr.limiting_state =
         mdr::limiting_motion(mdr.profile, rheology_of(input.elastomer), mdr.friction_coefficient, mdr.motion,

@@ -89,22 +89,15 @@ mdr::PlaneMotion steps_of(const MdrCase& mdr, const mdr::NormalResponse& normal,
   return motion;
 }
 
-constexpr int instants_per_oscillation = 4096;
-
 mdr::StickDepths depths_of(const MdrCase& mdr) {
-  if (!mdr.path) return plane_depths(mdr, mdr.motion);
+  if (!mdr.path) return mdr::plane_stick_depths(mdr::Rheology(mdr.body), mdr.friction_coefficient, mdr.motion);
   const bool memory = !mdr.body.branch_moduli.empty();
-  const int per_piece = memory ? std::max(8, instants_per_oscillation / static_cast<int>(mdr.path->n_pieces())) : 1;
+  const int per_piece =
+      memory ? std::max(8, mdr::instants_per_oscillation / static_cast<int>(mdr.path->n_pieces())) : 1;
   return mdr::plane_stick_depths(mdr::stuck_element(mdr.body, mdr.friction_coefficient, *mdr.path, per_piece));
 }
 
 }  // namespace
-
-mdr::StickDepths plane_depths(const MdrCase& mdr, const mdr::HarmonicMotion& motion) {
-  const int n_instants = instants_per_oscillation * mdr::common_cycle(motion).value().highest_order();
-  return mdr::plane_stick_depths(
-      mdr::stuck_element(mdr::Rheology(mdr.body), mdr.friction_coefficient, motion, n_instants));
-}
 
 bool moves_in_plane(const MdrCase& mdr) {
   return mdr.path ? !mdr.path->transverse.empty() : mdr::moves_across(mdr.motion);

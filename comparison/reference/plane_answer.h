@@ -7,9 +7,6 @@ namespace fretval {
 /// Whether the indenter moves in two directions along the surface.
 bool moves_in_plane(const MdrCase& mdr);
 
-/// plane_stick_depths() of a case whose indenter moves by harmonics.
-mdr::StickDepths plane_depths(const MdrCase& mdr, const mdr::HarmonicMotion& motion);
-
 /// MDR's answer where friction is a vector (mdr/plane): stick radii in closed form, forces and energies by springs of
 /// two finenesses, whose error is the whole difference of the two. times: factor on the usual numbers of springs and
 /// steps.

@@ -114,4 +114,10 @@ StickDepths plane_stick_depths(const StuckElement& element) {
   return {first_slip, std::max(first_slip, shakedown_of(element))};
 }
 
+StickDepths plane_stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion) {
+  const auto cycle = common_cycle(motion);
+  if (!cycle) throw std::invalid_argument("the motion has no common cycle");
+  return plane_stick_depths(stuck_element(body, mu, motion, instants_per_oscillation * cycle->highest_order()));
+}
+
 }  // namespace fretval::mdr

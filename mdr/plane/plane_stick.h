@@ -34,4 +34,8 @@ StuckElement stuck_element(const PronyBody& body, double mu, const SampledPath& 
 /// body, both are `d0 - 2 u/(3 mu)`. Between the instants N - |T| is missed by the second order of their distance.
 StickDepths plane_stick_depths(const StuckElement& element);
 
+/// The same of a motion by harmonics, at so many instants of its fastest oscillation. Throws as stuck_element().
+constexpr int instants_per_oscillation = 4096;
+StickDepths plane_stick_depths(const Rheology& body, double mu, const HarmonicMotion& motion);
+
 }  // namespace fretval::mdr

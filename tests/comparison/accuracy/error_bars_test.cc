@@ -157,6 +157,19 @@ TEST(ErrorBars, OfAnUnlockedPhaseTakeTheCreepOfEitherRadiusForBoth) {
   EXPECT_EQ(locked.at(first_slip_radius).total(), 0);
 }
 
+TEST(ErrorBars, OfAnUnlockedPhaseReachFromOneRadiusToTheOther) {
+  const FakeNumerics apart{0, 0, 0.5, 0.52};
+  const auto free = bars_of(prepared_of("parabola-elastic-free"), apart),
+             locked = bars_of(prepared_of("parabola-elastic-90"), apart);
+  for (const auto quantity : {first_slip_radius, shakedown_radius}) {
+    EXPECT_NEAR(free.at(quantity).total(), 0.02, 1e-12);
+    EXPECT_EQ(locked.at(quantity).total(), 0);
+  }
+  auto of_two = prepared_of("parabola-elastic-free");
+  of_two.fem.motion.tangential.push_back({0.1, 2, 0});
+  EXPECT_EQ(bars_of(of_two, apart).at(shakedown_radius).total(), 0) << "which need not be equal";
+}
+
 // While an unlocked phase drifts, rings slip on the way that would not.
 TEST(ErrorBars, OfNoFirstSlipZoneReachToTheShakedownRadiusWhereThePhaseDrifts) {
   const FakeNumerics no_first_slip{0, 0, 0, 0.3};
