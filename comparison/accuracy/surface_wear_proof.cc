@@ -1,5 +1,7 @@
 #include "comparison/accuracy/surface_wear_proof.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -7,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
 #include "comparison/support/stopwatch.h"
 #include "fem/contact/gross_slip.h"
@@ -46,7 +49,7 @@ std::string failure_of(const std::function<void()>& compute) {
   } catch (const meshes::MeshError& error) {
     return error.what();
   } catch (const fem::GrossSlip&) {
-    return "it wears until the whole contact slides: the tangential force reaches mu times the normal force";
+    return "the whole contact slides before anything has worn: the tangential force reaches mu times the normal force";
   }
 }
 
@@ -106,6 +109,12 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   }
   wear.fe = std::move(made.front().fe);
   if (!wear.failure.empty() || proof == Proof::none) return wear;
+  for (std::size_t i = 1; i < made.size(); ++i) {
+    if (made[i].fe.course.end == wear.fe.course.end) continue;
+    log::warn(fmt::format("{}: wear ends in another way with another resolution ({}): it has no error bars",
+                          prepared.input.name, change_text(wear.resolution, wanted[i])));
+    return wear;
+  }
   wear.is_proved = true;
   for (std::size_t i = 1; i < made.size(); ++i) add_share(coarser[i - 1].source, made[i].fe, wear);
   for (auto* bar : {&wear.radius, &wear.along, &wear.across}) bar->add(ErrorSource::edge, wear.fe.sticks.uncertainty);

@@ -281,8 +281,8 @@ bool may_still_reach(const PreparedCase& prepared, const WearLimit& limit) {
 
 bool ProvedWear::ends_in_limit() const {
   constexpr double nothing = 1e-2;  // a contact that sticks throughout bears tens of percent there
-  return fe.course.end != fem::WearEnd::cycles && fe.course.end != fem::WearEnd::progressive &&
-         pressed_outside < nothing;
+  const auto end = fe.course.end;
+  return (end == fem::WearEnd::rate || end == fem::WearEnd::nothing_left) && pressed_outside < nothing;
 }
 
 bool wears(const PreparedCase& prepared) {

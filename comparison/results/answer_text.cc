@@ -32,6 +32,10 @@ std::string time_of_cycles(const ordered_json& scene, double cycles) {
   return period ? fmt::format(", {} at {:.3g} Hz", time_text(cycles * *period), 1 / *period) : "";
 }
 
+/// Text on wear that ends because friction no longer carries what is prescribed.
+constexpr auto slides_text =
+    "; then the whole contact slides: μ times the normal force is no more than the tangential force\n";
+
 /// Text on the wear of an indenter.
 std::string wear_text(const ProvedWear& wear, const Units& units, const ordered_json& scene) {
   const auto& last = wear.fe.course.curve.back();
@@ -42,6 +46,7 @@ std::string wear_text(const ProvedWear& wear, const Units& units, const ordered_
     return text +
            fmt::format("; nothing wears any more\n  worn profile: {:.1e} from the limiting one (in r/a and f/d max)\n",
                        wear.distance_shakedown.back());
+  if (wear.fe.course.end == fem::WearEnd::slides) return text + slides_text;
   if (wear.sticks_throughout) return text + "; all that touches sticks: nothing wears\n";
   if (!wear.slip_is_proved)
     return text + "; no slip is proved: friction takes less energy from a cycle than its error bar\n";
@@ -60,9 +65,10 @@ std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const o
   const auto& last = fe.course.curve.back();
   const double volume = last.volume * units.volume(), length = units.length;
   const auto bar = [&](const ErrorBar& of, double unit) { return wear.is_proved ? of.total() * unit : 0; };
-  auto text = fmt::format("  worn off: {} in {:.3g} cycles{} (MDR's limit: {}){}\n", volume_text(volume), last.cycles,
-                          time_of_cycles(scene, last.cycles), volume_text(wear.limit.volume),
-                          fe.course.end == fem::WearEnd::nothing_left ? "; nothing wears any more" : "");
+  auto text = fmt::format("  worn off: {} in {:.3g} cycles{} (MDR's limit: {})", volume_text(volume), last.cycles,
+                          time_of_cycles(scene, last.cycles), volume_text(wear.limit.volume));
+  if (fe.course.end == fem::WearEnd::slides) return text + slides_text;
+  text += fe.course.end == fem::WearEnd::nothing_left ? "; nothing wears any more\n" : "\n";
   text += fmt::format("  what has worn leaves {} to stick (MDR {}), {} along x and {} across\n",
                       with_unit(fe.sticks.radius * length, bar(wear.radius, length), "m"),
                       with_unit(wear.limit.stick_radius, 0, "m"),

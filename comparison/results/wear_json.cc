@@ -59,7 +59,7 @@ std::vector<std::size_t> snapshots_of(const fem::WearCourse& course) {
 
 const char* name_of(fem::WearEnd end) {
   // In the order of the enumeration.
-  static constexpr std::array names{"cycles asked for", "rate fallen", "nothing left", "progressive"};
+  static constexpr std::array names{"cycles asked for", "rate fallen", "nothing left", "progressive", "contact slides"};
   return names[static_cast<std::size_t>(end)];
 }
 

@@ -84,7 +84,7 @@ WornEdge settled_edge(const FemCase& fem, double unworn_stick_radius,
     const WornEdge edge{stick_radius, widest_wear(fem, depth)};
     try {
       const auto pass = pass_at(edge);
-      if (pass.end == fem::WearEnd::progressive) return {0, edge.outer};
+      if (pass.end == fem::WearEnd::progressive || pass.end == fem::WearEnd::slides) return {0, edge.outer};
       if (sinks) depth = reserve * pass.largest_indentation;
       const double before = std::exchange(stick_radius, pass.stick_radius);
       if (std::abs(stick_radius - before) <= pass.ring) return {stick_radius, widest_wear(fem, depth)};

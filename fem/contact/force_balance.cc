@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -101,17 +102,35 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
     }
   };
   const auto is_found = [&] { return excess.lpNorm<Eigen::Infinity>() <= enough; };
-  constexpr int enough_with_old_stiffness = 12;
+  // Where nearly all of the contact slips the forces bend off, and hardly resist in their own direction: an old
+  // stiffness misleads, and a whole step goes too far. Damping shortens it in that direction.
+  constexpr double least_gain = 0.1;  // of what the stiffness promises
+  constexpr double first_damping = 1e-3, harder = 4, softer = 8;
+  const auto identity = Eigen::MatrixXd::Identity(at.size(), at.size());
+  bool is_measured = false;
+  double damping = 0;
   for (int k = 0; k < most_trials && !is_found(); ++k) {
-    if (stiffness.size() == 0 || k == enough_with_old_stiffness) measure();
-    const Eigen::VectorXd step = -stiffness.partialPivLu().solve(excess), there = at + step;
+    if (stiffness.size() == 0) {
+      measure();
+      is_measured = true;
+    }
+    const Eigen::VectorXd step = -(stiffness + damping * identity).partialPivLu().solve(excess), there = at + step;
     if (!there.allFinite()) break;
     const Eigen::VectorXd change = forces(there) - values - excess;
     if (!change.allFinite()) break;
-    stiffness += (change - stiffness * step) * step.transpose() / step.squaredNorm();
-    if ((excess + change).norm() >= excess.norm()) continue;
-    at = there;
-    excess += change;
+    const double before = excess.norm(), after = (excess + change).norm(),
+                 promised = before - (excess + stiffness * step).norm();
+    if (before - after > least_gain * promised) {
+      stiffness += (change - stiffness * step) * step.transpose() / step.squaredNorm();
+      at = there;
+      excess += change;
+      damping /= softer;
+    } else if (is_measured) {
+      damping = std::max(harder * damping, first_damping * stiffness.norm());
+      continue;
+    }
+    if (after > before / 2 && !is_measured) stiffness.resize(0, 0);
+    is_measured = false;
   }
   if (is_found()) return guess;
   throw SolverError(fmt::format("no displacements of the indenter were found that balance its forces: {:g} is left",

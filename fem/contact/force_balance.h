@@ -42,8 +42,10 @@ struct BalanceOfForces {
 };
 
 /// The displacements at which forces that depend on all of them have their values, by Broyden's method: what it learns
-/// of the stiffness is returned for the next search. (Broyden 1965; Dennis and Schnabel, Numerical Methods for
-/// Unconstrained Optimization, chapter 8.) Throws SolverError where no force comes within `enough` of its value.
+/// of the stiffness is returned for the next search. After a step that does not halve what is left the stiffness is
+/// measured anew, and a step that brings too little then is damped (Levenberg 1944; Marquardt 1963). (Broyden 1965;
+/// Dennis and Schnabel, Numerical Methods for Unconstrained Optimization, chapter 8.) Throws SolverError where no force
+/// comes within `enough` of its value.
 BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                          const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
                                          double enough);

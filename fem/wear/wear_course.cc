@@ -2,13 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
+
+#include "fem/contact/gross_slip.h"
 
 namespace fretval::fem {
 namespace {
 
-constexpr double first_jump = 0.05;   // share of the largest
+constexpr double shortest_jump =
+    0.05;                             // share of the largest: the first one, and the last one before the contact slides
 constexpr double largest_growth = 3;  // of one jump over the last one
 constexpr double too_much = 2;        // of the largest jump
 
@@ -52,25 +57,32 @@ Eigen::VectorXd extrapolated(const Eigen::VectorXd& at_once, const Eigen::Vector
   return (rate_after.array() > least * rate_before.array()).select(2 * in_halves - at_once, in_halves);
 }
 
-/// A jump over n cycles, or over fewer if those would wear off too much.
-Jump jump(WearingContact& contact, double n_cycles, double largest) {
+/// A jump over n cycles, or over fewer if those would wear off too much or let the whole contact slide. Empty: even the
+/// shortest jump lets it slide.
+std::optional<Jump> jump(WearingContact& contact, double n_cycles, double largest) {
   const Eigen::VectorXd before = contact.worn(), rate_before = contact.period().rate;
   while (true) {
-    WearingContact at_once = contact;
-    at_once.wear_off(n_cycles);
-    const double deepest = (at_once.worn() - before).maxCoeff();
-    if (deepest > too_much * largest) {
-      n_cycles *= largest / deepest;
-      continue;
+    try {
+      WearingContact at_once = contact, in_halves = contact;
+      at_once.wear_off(n_cycles);
+      const double deepest = (at_once.worn() - before).maxCoeff();
+      if (deepest > too_much * largest) {
+        n_cycles *= largest / deepest;
+        continue;
+      }
+      in_halves.wear_off(n_cycles / 2);
+      in_halves.settle();
+      in_halves.wear_off(n_cycles / 2);
+      const double error = (in_halves.worn() - at_once.worn()).lpNorm<Eigen::Infinity>();
+      const auto worn = extrapolated(at_once.worn(), in_halves.worn(), rate_before, at_once.period().rate);
+      in_halves.take_worn(worn.cwiseMax(before));
+      in_halves.settle();
+      contact = std::move(in_halves);
+      return Jump{n_cycles, deepest, error};
+    } catch (const GrossSlip&) {
+      if (n_cycles * rate_before.maxCoeff() <= shortest_jump * largest) return std::nullopt;
+      n_cycles /= 2;
     }
-    contact.wear_off(n_cycles / 2);
-    contact.settle();
-    contact.wear_off(n_cycles / 2);
-    const double error = (contact.worn() - at_once.worn()).lpNorm<Eigen::Infinity>();
-    const auto worn = extrapolated(at_once.worn(), contact.worn(), rate_before, at_once.period().rate);
-    contact.take_worn(worn.cwiseMax(before));
-    contact.settle();
-    return {n_cycles, deepest, error};
   }
 }
 
@@ -99,7 +111,7 @@ void begin(WearState& state, const WearControl& control) {
   state.contact.settle();
   add_point(state, 0);
   state.course.first = state.contact.period();
-  state.next_jump = first_jump * control.largest_jump / state.contact.period().rate.maxCoeff();
+  state.next_jump = shortest_jump * control.largest_jump / state.contact.period().rate.maxCoeff();
   state.goes_on = state.course.curve.front().volume_rate > 0;
 }
 
@@ -117,7 +129,12 @@ void wear_on(WearState& state, const WearControl& control, const WearObserver& a
   if (course.curve.empty()) begin(state, control);
   while (goes_on) {
     const double done = course.curve.back().cycles, left = control.most_cycles - done;
-    const auto [cycles, deepest, error] = jump(contact, std::min(next, left), control.largest_jump);
+    const auto made = jump(contact, std::min(next, left), control.largest_jump);
+    if (!made) {
+      course.end = WearEnd::slides;
+      break;
+    }
+    const auto& [cycles, deepest, error] = *made;
     add_point(state, cycles >= left ? control.most_cycles : done + cycles);
     ++course.n_jumps;
     course.largest_jump_error = std::max(course.largest_jump_error, error);

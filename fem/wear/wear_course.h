@@ -17,8 +17,9 @@ struct WearControl {
 };
 
 /// Why the wear was followed no further: as many cycles as asked for; the rate has fallen as far as asked for; as many
-/// cycles again as there have been wear off nothing; or it goes on for ever, see wear_on.
-enum class WearEnd { cycles, rate, nothing_left, progressive };
+/// cycles again as there have been wear off nothing; it goes on for ever, see wear_on; or the contact has worn until it
+/// bears no more than a tangential force that is prescribed, so that all of it slides.
+enum class WearEnd { cycles, rate, nothing_left, progressive, slides };
 
 /// One state of the course.
 struct WearPoint {
@@ -75,8 +76,9 @@ using WearObserver = std::function<void(const WearState&)>;
 /// many cycles in one period, then the slip settles on the new profile. A jump is made at once and in two halves, which
 /// are extrapolated to second order in its length. The next jump is made so long that it wears off largest_jump at the
 /// rate of the last one, but at most three times as long; a jump that would wear off more than twice largest_jump is
-/// made shorter. Errors are in the course alone: where wear ends, it ends in a state in which nothing under pressure
-/// slips, whatever the jumps.
+/// made shorter, and so is one on whose way the whole contact slides: the course ends with the last state before that,
+/// to a twentieth of largest_jump. Errors are in the course alone: where wear ends, it ends in a state in which nothing
+/// under pressure slips, whatever the jumps.
 ///
 /// Wear that has a limit takes off less and less in each doubling of its cycles. Where nothing sticks, more is worn off
 /// than the indenter was pressed in at first, so that nothing is left of its first shape, and the last doubling has

@@ -56,6 +56,7 @@ std::string end_text(const ordered_json& wear) {
   const auto end = wear.at("end").get<std::string>();
   if (end == "rate fallen") return "the rate has fallen";
   if (end == "progressive") return "it goes on for ever";
+  if (end == "contact slides") return "the whole contact slides";
   return end == "nothing left" ? "all that is pressed sticks" : end;
 }
 

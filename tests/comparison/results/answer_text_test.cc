@@ -50,6 +50,9 @@ TEST(AnswerText, SaysHowMuchHasWornAndWearsOn) {
   result.wear = wear;
   expect_parts(answer_text(result, json),
                {"worn off: 5e+08 mm³ in 1e+06 cycles", "it goes on for ever, by 1e+09 mm³ a cycle (± 0.1 of that)"});
+  result.wear->fe.course.end = fem::WearEnd::slides;
+  expect_parts(answer_text(result, json),
+               {"in 1e+06 cycles, 11.6 days at 1 Hz; then the whole contact slides: μ times"});
 }
 
 TEST(AnswerText, SetsWhatWasNotAskedForApart) {

@@ -85,6 +85,20 @@ TEST(ForcesBalance, FindsTheDisplacementsOfSeveralForces) {
   EXPECT_LE(n, 6) << "the stiffness is known from the search before";
 }
 
+// Friction that turns with the displacement and is nearly used up, from where all sticks: 0.9999 of its limit is borne
+// at 0.9999/sqrt(1 - 0.9999^2) times the elastic displacement of the limit, in the direction of the force.
+TEST(ForcesBalance, FindsDisplacementsWhereNearlyAllSlips) {
+  const auto friction = [](const Eigen::VectorXd& u) -> Eigen::VectorXd { return u / std::sqrt(1 + u.squaredNorm()); };
+  constexpr double share = 0.9999;
+  const double far = share / std::sqrt(1 - share * share);
+  const Eigen::Vector2d way(0.6, -0.8);
+  for (const Eigen::Vector2d& start : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.5, 0.5), Eigen::Vector2d(-20, 3)}) {
+    const BalanceOfForces guess{start, Eigen::Matrix2d::Identity()};
+    const auto found = displacements_for_forces(friction, share * way, guess, 1e-4, 1e-12);
+    EXPECT_LT((found.displacements - far * way).norm(), 1e-5 * far) << start.transpose();
+  }
+}
+
 // Where a contact has come apart no small displacement changes its force.
 TEST(ForcesBalance, FindsItsWayBackToTheContact) {
   const auto force = [](const Eigen::VectorXd& at) -> Eigen::VectorXd {

@@ -164,6 +164,22 @@ TEST(WearCourse, GoesOnForEverWhereNothingSticksUnderAForce) {
   EXPECT_GE(course.curve.back().volume_rate, course.curve[1].volume_rate);
 }
 
+// At an indentation of 1 a disc that sticks bears a tangential force of up to 8 mu c (1 - c^2), at most 3.08 mu, and
+// the unworn contact slides at 16/3 mu. Under 4 mu there is no limit, and the indenter wears until it bears a normal
+// force of no more than 4.
+TEST(WearCourse, EndsWhereTheContactNoLongerBearsTheTangentialForce) {
+  WearingHalfSpace half_space(16);
+  constexpr double least_force = 4, jump = 0.01;
+  half_space.n_steps = 36;
+  half_space.motion = one_frequency(1, 0, least_force * WearingHalfSpace::mu, 0);
+  half_space.motion.tangential_force = true;
+  const auto course = half_space.course(archard, jump);
+  EXPECT_EQ(course.end, WearEnd::slides);
+  const double force = half_space.normal.compliance.areas.dot(course.last.largest_pressure);
+  EXPECT_GT(force, least_force);
+  EXPECT_LT(force, least_force + 8 * jump / 10);  // the depth by which the worn flank loses 8 times as much force
+}
+
 // On the way, at the same number of cycles; its end does not depend on the step.
 TEST(WearCourse, IsOfSecondOrderInTheTimeStepAndItsEndOfNone) {
   WearingHalfSpace half_space;
