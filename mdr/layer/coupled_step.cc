@@ -62,11 +62,6 @@ RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<doubl
   throw slip;
 }
 
-// Of all branches; Eigen would take the address of a column that is not there where the body has none.
-Eigen::ArrayXd sum_of(const Eigen::ArrayXXd& memory) {
-  return memory.cols() > 0 ? Eigen::ArrayXd(memory.rowwise().sum()) : Eigen::ArrayXd::Zero(memory.rows());
-}
-
 }  // namespace
 
 CoupledStep::CoupledStep(const CoupledBed& bed, const PronyBody& body, double mu, double dt)
@@ -93,7 +88,7 @@ Eigen::ArrayXd CoupledStep::tip_under(const Eigen::ArrayXd& load, const Eigen::A
                                       const Eigen::ArrayXd& position, const Eigen::ArrayXXd& memory) const {
   const double viscous = viscosity_ / dt_;
   return (theta_ * load + (1 - theta_) * load_before + viscous * position -
-          theta_ * (left_of(memory) - gain_sum_ * position) - (1 - theta_) * (position + sum_of(memory))) /
+          theta_ * (left_of(memory) - gain_sum_ * position) - (1 - theta_) * (position + memory.rowwise().sum())) /
          (viscous + theta_ * stiffness_);
 }
 
