@@ -54,7 +54,7 @@ bool is_explained_by(double noise, const mdr::ProfileRows& rows) try {
   return false;
 }
 
-constexpr std::size_t n_behind = 4, least_rows = 32;
+constexpr std::size_t n_behind = 4, least_rows_of_path = 32;
 constexpr double tolerance_of_none = 1e-3, far_off = 3;
 
 /// The distance of row i from the line through those behind it.
@@ -107,7 +107,7 @@ std::vector<std::string> noisy_start(const Case::Path& path, double tolerance) {
   std::vector<std::string> warnings;
   const auto& reduction = path.reduction;
   const bool is_reduced = reduction && reduction->n_rows - reduction->n_cut > path.time.size();
-  if (path.repeats || path.from_touch || is_reduced || path.time.size() < least_rows) return warnings;
+  if (path.repeats || path.from_touch || is_reduced || path.time.size() < least_rows_of_path) return warnings;
   struct Column {
     const char* name;
     const Values& values;

@@ -86,8 +86,7 @@ std::string column_of(Quantity quantity, const std::string& who) {
   const auto& traits = traits_of(quantity);
   std::string title = traits.title;
   // A comma would end the column.
-  if (const auto comma = title.find(", "); comma != std::string::npos)
-    title = title.substr(0, comma) + " (" + title.substr(comma + 2) + ")";
+  if (const auto comma = title.find(", "); comma != std::string::npos) title.replace(comma, 2, " (").append(")");
   return title + who + (*traits.unit ? " [" + std::string(traits.unit) + "]" : " [1]");
 }
 

@@ -50,11 +50,13 @@ enum class Quantity {
   worn_volume
 };
 
-inline constexpr auto all_quantities = [] {
+constexpr auto enumerated_quantities() {
   std::array<Quantity, static_cast<std::size_t>(Quantity::worn_volume) + 1> all{};
   for (std::size_t i = 0; i < all.size(); ++i) all[i] = static_cast<Quantity>(i);
   return all;
-}();
+}
+
+inline constexpr auto all_quantities = enumerated_quantities();
 
 /// All quantities, in the order in which people ask for them.
 inline constexpr std::array quantities_by_interest{Quantity::stick_radius_first_slip,

@@ -187,26 +187,32 @@ std::string words_of(const std::string& title, const Results& results, const Fil
   return words + tables_text(sections);
 }
 
-}  // namespace
+using Section = Filling (*)(const Results&);
+constexpr Section sections_of_results[] = {verdict_with_plots, cases_of_few,         scenes_section, radii_section,
+                                           rheology_section,   motions_section,      forces_section, limiting_section,
+                                           wear_section,       surface_wear_section, cases_of_many,  budget_section};
+constexpr Section closing_sections[] = {cost_section, all_cases_section};
 
-fs::path write_report(const fs::path& folder, const std::set<std::string>& of_this_run) {
-  const auto results = read_results(folder);
+/// All sections of a page. Throws nlohmann::json::exception for a result that a section cannot read.
+Filling sections_of(const fs::path& folder, const Results& results) {
   auto sections = Filling::array();
   const auto add = [&](Filling section) {
     if (!section.is_null()) sections.push_back(std::move(section));
   };
   add(section_of(folder / "trust.json", trust_section));
   if (!results.empty())
-    for (const auto section :
-         {verdict_with_plots, cases_of_few, scenes_section, radii_section, rheology_section, motions_section,
-          forces_section, limiting_section, wear_section, surface_wear_section, cases_of_many, budget_section})
-      add(section(results));
+    for (const auto section : sections_of_results) add(section(results));
   add(trade_section(folder));
   for (const char* suite : {"tolerance.json", "extremes.json", "random.json"})
     add(section_of(folder / suite, suite_section));
   add(section_of(folder / "exact.json", convergence_section));
   if (!results.empty())
-    for (const auto section : {cost_section, all_cases_section}) add(section(results));
+    for (const auto section : closing_sections) add(section(results));
+  return sections;
+}
+
+fs::path write_page(const fs::path& folder, const Results& results, const std::set<std::string>& of_this_run) {
+  auto sections = sections_of(folder, results);
   if (sections.empty())
     throw InputError(
         fmt::format("{}: there is no result.json, trade.json, trust.json or JSON of a suite below it; expected a "
@@ -220,6 +226,31 @@ fs::path write_report(const fs::path& folder, const std::set<std::string>& of_th
       file, page_of(title + " · fretval", words, {{"heading", std::move(heading)}, {"sections", std::move(sections)}}));
   write_sweeps(results);
   return file;
+}
+
+/// Of results that a section cannot read, the file of the first that alone is not read either; or their folder.
+fs::path unreadable_of(const fs::path& folder, const Results& results) {
+  for (const auto& result : results) {
+    try {
+      const Results alone{result};
+      words_of("", alone, sections_of(result.folder, alone));
+    } catch (const nlohmann::json::exception&) {
+      return result.folder / "result.json";
+    }
+  }
+  return folder;
+}
+
+}  // namespace
+
+fs::path write_report(const fs::path& folder, const std::set<std::string>& of_this_run) {
+  const auto results = read_results(folder);
+  try {
+    return write_page(folder, results, of_this_run);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(
+        fmt::format("{}: {}; is this a result of fretval?", unreadable_of(folder, results).string(), error.what()));
+  }
 }
 
 }  // namespace fretval

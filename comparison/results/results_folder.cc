@@ -44,6 +44,7 @@ const Kind known_schema{[](const ordered_json& v) { return v == 1 || v == result
                         "1 or 2, the versions that are known here"};
 const Kind text_or_null{[](const ordered_json& v) { return v.is_string() || v.is_null(); }, "text or null"};
 const Kind a_list{[](const ordered_json& v) { return v.is_array(); }, "a list"};
+const Kind filled_list{[](const ordered_json& v) { return v.is_array() && !v.empty(); }, "a list that is not empty"};
 const Kind annuli_or_region{[](const ordered_json& v) { return v.is_array() || v.is_object(); },
                             "a list of annuli or a region"};
 const std::vector<Place> places{{"schema", known_schema, true},
@@ -69,6 +70,12 @@ const std::vector<Place> places{{"schema", known_schema, true},
                                 {"not_compared/image_falls", a_list},
                                 {"not_compared/at_rest", object},
                                 {"not_compared/at_rest/*", number},
+                                {"fe/wear", object, true},
+                                {"fe/wear/cycles", filled_list},
+                                {"fe/wear/volume", filled_list},
+                                {"fe/surface_wear", object, true},
+                                {"fe/surface_wear/cycles", filled_list},
+                                {"fe/surface_wear/volume", filled_list},
                                 {"fe/zones", object, true},
                                 {"fe/zones/contact", annuli_or_region},
                                 {"comparison", object},

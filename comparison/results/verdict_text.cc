@@ -27,8 +27,7 @@ std::optional<Verdict> verdict_named(const std::string& name) {
 /// "the stick radius (shakedown)"
 std::string spoken(Quantity quantity) {
   std::string title = traits_of(quantity).title;
-  if (const auto comma = title.find(", "); comma != std::string::npos)
-    title = title.substr(0, comma) + " (" + title.substr(comma + 2) + ")";
+  if (const auto comma = title.find(", "); comma != std::string::npos) title.replace(comma, 2, " (").append(")");
   return "the " + title;
 }
 

@@ -174,8 +174,10 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
                           FeAnswer& answer) {
   const double length = fem.units.length;
   if (contact_radius && contact_radius->radius > 0) answer.contact_radius_max = contact_radius->radius * length;
-  if (contact_radius) answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
-  if (contact_radius) answer.contact_radius_calibration = contact_radius->calibration * length;
+  if (contact_radius) {
+    answer.contact_radius_uncertainty = contact_radius->uncertainty * length;
+    answer.contact_radius_calibration = contact_radius->calibration * length;
+  }
   const auto force = fem::largest_force(normal, fem.motion.highest_normal_order(),
                                         fem.worn_edge ? fem::Flank::around_contact : fem::Flank::none);
   answer.normal_force_max = force.value * fem.units.force();

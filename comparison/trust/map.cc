@@ -101,14 +101,16 @@ Resolution first_resolution(const FemCase& fem, const PlannedPoint& planned, con
   return resolution;
 }
 
+Case without_full_contact(Case input) {
+  input.contact = {};
+  return input;
+}
+
 /// The changes of a scene from the ring contact to the full contact, at each resolution computed once.
 class SceneChanges {
  public:
-  SceneChanges(const Case& input, BodyStore& bodies) : full_(prepare({input}).front()), bodies_(bodies) {
-    auto of_one_direction = input;
-    of_one_direction.contact = {};
-    on_rings_ = prepare({of_one_direction}).front();
-  }
+  SceneChanges(const Case& input, BodyStore& bodies)
+      : full_(prepare({input}).front()), on_rings_(prepare({without_full_contact(input)}).front()), bodies_(bodies) {}
 
   [[nodiscard]] const FemCase& fem() const { return full_.fem; }
   [[nodiscard]] const std::map<Resolution, Quantities>& known() const { return known_; }

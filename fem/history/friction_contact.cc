@@ -144,18 +144,18 @@ void FrictionContact::find_touching(const Eigen::Ref<const Eigen::VectorXd>& pre
 /// While the contact grows, the indenter takes along the rings that touch already: each punch of PunchSeries moves from
 /// the instant on at which its outermost ring touches.
 void FrictionContact::slip_before_touch(Attempt& made) const {
-  auto& [stick, target, solution, slip, slip_in_depths, depths] = made;
+  auto& [stick, target, solution, slip_to_touch, depths_to_touch, depths] = made;
   if (n_touching_ == 0) return;
   const auto touching = [this](auto&& rings) { return rings.segment(first_touching_, n_touching_); };
-  slip.setZero(limit.size());
-  auto missing = touching(slip);
+  slip_to_touch.setZero(limit.size());
+  auto missing = touching(slip_to_touch);
   missing = until_touch_.head(n_touching_).cwiseProduct(touching(problem_.series.depths_of_loads(target.held)));
   problem_.series.to_rings(missing, first_touching_);
   touching(target.q) -= touching(problem_.compliance.areas).cwiseProduct(missing);
   missing /= step_.stiffness_before_balance();
-  slip_in_depths = slip;
-  problem_.series.to_displacements(slip_in_depths);
-  target.held -= step_.stiffness_before_balance() * problem_.series.loads_of_depths(slip_in_depths);
+  depths_to_touch = slip_to_touch;
+  problem_.series.to_displacements(depths_to_touch);
+  target.held -= step_.stiffness_before_balance() * problem_.series.loads_of_depths(depths_to_touch);
 }
 
 std::optional<StepInPiece> FrictionContact::in_piece() const {

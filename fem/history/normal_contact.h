@@ -115,7 +115,7 @@ class NormalContact {
   RelaxationStep step_;
   std::vector<BoxState> contact_;
   Start start_;
-  Attempt made_;                             // in the last step
+  Attempt made_{};                           // in the last step
   Eigen::VectorXd slip_;                     // in the same
   std::optional<FreeSurface> free_surface_;  // with memory, where rings touch in order
   Eigen::VectorXd ends_of_profile_;          // see PunchSeries::displacements

@@ -26,7 +26,8 @@ std::unique_ptr<RubbingContact> RubbingSurface::clone() const {
 VectorXd RubbingSurface::step(const PressureWear& wear) {
   const VectorXd slip_before = as_vector(lengths(contact_.friction.slip)), pressure_before = pressure();
   contact_.step(wear);
-  const auto leaves = pressure_before.array() > 0 && pressure().array() == 0;
+  const VectorXd pressure_after = pressure();  // which outlives the expressions of it
+  const auto leaves = pressure_before.array() > 0 && pressure_after.array() == 0;
   rubs_ = (leaves && slip_before.array() == 0).select(0, VectorXd::Ones(slip_before.size()));
   return rubs_.cwiseProduct(as_vector(lengths(contact_.friction.slip)));
 }

@@ -60,7 +60,7 @@ double largest_radius(const Profile& profile, const Layer& layer, const PronyBod
 }  // namespace
 
 SteppedPathForces coupled_path_forces(const Profile& profile, const Layer& layer, const PronyBody& body, double mu,
-                                      const SampledPath& path, PathFineness coarse) {
+                                      const SampledPath& path, const PathFineness& coarse) {
   validate_along_path(path, coarse);
   const double outer = largest_radius(profile, layer, body, path);
   return extrapolated_path_forces(body, path, coarse, [&](const PathFineness& fineness) {

@@ -10,6 +10,6 @@ namespace fretval::mdr {
 /// unworn image. For a rheology with one G(t). Throws as path_forces(), and std::runtime_error should the contact reach
 /// the last of the springs.
 SteppedPathForces coupled_path_forces(const Profile& profile, const Layer& layer, const PronyBody& body, double mu,
-                                      const SampledPath& path, PathFineness coarse = {});
+                                      const SampledPath& path, const PathFineness& coarse = {});
 
 }  // namespace fretval::mdr

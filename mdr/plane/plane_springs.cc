@@ -232,12 +232,12 @@ PlaneResponse plane_response(const Profile& profile, const PronyBody& body, doub
   validate(body);
   require_positive("coefficient of friction", mu);
   PlaneSprings springs(profile, body, mu, motion, n_springs);
-  Course course(static_cast<Index>(motion.n_steps())), before = course;
+  Course course(static_cast<Index>(motion.n_steps()));
   auto sums = springs.cycle(motion.repeats, course);
   const auto& followed = motion.by_force ? course.displacement : course.force;
   constexpr int most_cycles = 100;
   for (int cycle = 1; motion.repeats && cycle < most_cycles; ++cycle) {
-    before = course;
+    const Course before = course;
     sums = springs.cycle(false, course);
     const auto& last = motion.by_force ? before.displacement : before.force;
     if ((followed - last).abs().maxCoeff() <= periodicity * followed.abs().maxCoeff()) break;

@@ -70,7 +70,7 @@ double deepest_indentation(const Profile& profile, const PronyBody& body, const 
 }
 
 SteppedPathForces path_forces(const Profile& profile, const PronyBody& body, double mu, const SampledPath& path,
-                              PathFineness coarse) {
+                              const PathFineness& coarse) {
   return extrapolated_path_forces(
       body, path, coarse, [&](const PathFineness& fineness) { return path_course(profile, body, mu, path, fineness); });
 }

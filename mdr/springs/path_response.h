@@ -23,6 +23,6 @@ PathCourse path_course(const Profile& profile, const PronyBody& body, double mu,
 /// Forces, works and stick depths along a path, extrapolated (see SteppedPathForces). coarse: fineness of the coarser
 /// one of the two computations.
 SteppedPathForces path_forces(const Profile& profile, const PronyBody& body, double mu, const SampledPath& path,
-                              PathFineness coarse = {});
+                              const PathFineness& coarse = {});
 
 }  // namespace fretval::mdr

@@ -221,7 +221,7 @@ class SteppedHistory {
   const PronyBody& body_;
   double mu_;
   const HistoryControl& control_;
-  SpringState state_, start_, before_;  // now, at the start of the period, a step ago
+  SpringState state_, start_{}, before_{};  // now, at the start of the period, a step ago
   Margins first_slip_;
   Eigen::ArrayXd slip_path_;  // from rest on
   std::vector<Eigen::ArrayXd> slip_of_periods_;

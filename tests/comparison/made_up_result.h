@@ -25,7 +25,7 @@ inline CaseResult made_up_result() {
   body.n_contact_nodes = 104;
   body.radii = {0, 0.5, 1.5};
 
-  ProvedAnswer answer;
+  ProvedAnswer answer{};
   answer.n_refinements = 5;
   answer.cost = {6, 720, 60, 7.5, {4, 2}};
   auto& fe = answer.fe;

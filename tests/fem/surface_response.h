@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem {
 
 /// Response of the surface of a body of unit shear modulus to a wave of traction of wave number k: displacement per
@@ -26,7 +28,7 @@ inline SurfaceResponse surface_response(double k, double nu, double thickness) {
 /// rule.
 template <class Response>
 double disc_response(const Response& response, double half_space_per_k, double radius, double thickness) {
-  const double pi = std::acos(-1.0), half_space = 8.0 / 3 * std::pow(radius, 3) * half_space_per_k;
+  const double half_space = 8.0 / 3 * std::pow(radius, 3) * half_space_per_k;
   if (thickness == std::numeric_limits<double>::infinity()) return half_space;
   const int n = 4000;
   const double end = 18 / thickness, step = end / n;

@@ -1,5 +1,6 @@
 """What ./test all and tests/mutants/run keep, and what they read off outputs: python3 tests/python/all_test.py."""
 
+import collections
 import importlib.machinery
 import importlib.util
 import pathlib
@@ -24,6 +25,7 @@ def module_of(file):
 
 
 stages = module_of(ROOT / "tests/all/run")
+mutants = module_of(ROOT / "tests/mutants/run")
 
 
 class Results(unittest.TestCase):
@@ -87,6 +89,41 @@ class Stages(unittest.TestCase):
         self.assertNotIn("other sources", stages.table([stage], self.kept, "k"))
         self.assertIn("other sources", stages.table([stage], self.kept, "l"))
         self.assertIn("not run", stages.table([stages.Stage("two", [])], self.kept, "k"))
+
+
+class Samples(unittest.TestCase):
+    def setUp(self):
+        sizes = {"comparison": 60, "fem": 25, "mdr": 10, "meshes": 5}
+        self.all = [mutants.Mutant(f"{folder}-{k}", f"{folder}/a.cc", "x", "y") for folder, n in sizes.items()
+                    for k in range(n)]
+
+    def names(self, n, seed, of=None):
+        return [mutant.name for mutant in mutants.sample_of(of or self.all, n, seed)]
+
+    def test_give_each_folder_its_share(self):
+        folders = lambda n: dict(collections.Counter(name.split("-")[0] for name in self.names(n, 1)))  # noqa: E731
+        self.assertEqual(folders(20), {"comparison": 12, "fem": 5, "mdr": 2, "meshes": 1})
+        self.assertEqual(folders(11), {"comparison": 7, "fem": 3, "mdr": 1})  # of 6.6, 2.75, 1.1 and 0.55
+
+    def test_have_no_mutant_twice_and_no_more_than_there_are(self):
+        for n in (40, 1000):
+            names = self.names(n, 1)
+            self.assertEqual(len(names), min(n, 100))
+            self.assertEqual(len(set(names)), len(names))
+
+    def test_depend_on_the_seed_and_not_on_the_order_of_the_list(self):
+        self.assertEqual(self.names(20, 1), self.names(20, 1, of=self.all[::-1]))
+        self.assertNotEqual(self.names(20, 1), self.names(20, 2))
+
+    def test_have_the_interval_of_their_share(self):
+        """Its ends p are where the score test rejects, |k/n - p| = z sqrt(p (1 - p) / n); z of 95 % is 1.96."""
+        for k, n in ((8, 10), (0, 7), (7, 7), (97, 100)):
+            low, high = mutants.wilson(k, n)
+            for p in (low, high):
+                self.assertAlmostEqual(abs(k / n - p), 1.959964 * (p * (1 - p) / n)**0.5, places=12)
+            self.assertLessEqual(low, k / n + 1e-12)
+            self.assertGreaterEqual(high, k / n - 1e-12)
+            self.assertGreater(high - low, 0.05)
 
 
 class Figures(unittest.TestCase):

@@ -324,8 +324,10 @@ Filling case_figures(const StoredResult& result, const ordered_json& cycle) {
     for (const auto& figure : filling.at("figures")) list.push_back(figure);
   };
   try {
-    if (!cycle.empty()) list.push_back(stress_figure(result, cycle));
-    if (!cycle.empty()) list.push_back(map_figure(result, cycle));
+    if (!cycle.empty()) {
+      list.push_back(stress_figure(result, cycle));
+      list.push_back(map_figure(result, cycle));
+    }
     if (!column_names(result.folder / "zones.csv").empty()) add({plane_figure(result)});
     const auto courses = column_names(result.folder / "history.csv");
     if (!courses.empty())

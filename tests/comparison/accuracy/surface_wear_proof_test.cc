@@ -14,7 +14,7 @@ namespace {
 /// As if it had been computed unworn.
 ProvedSurfaceWear proved(Proof proof) {
   const auto prepared = wearing_in_a_circle();
-  ProvedAnswer unworn;
+  ProvedAnswer unworn{};
   unworn.fe.stick_radius_shakedown = 0.8 * prepared.fem.units.length;
   return prove_surface_wear(prepared, mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr)), unworn, proof,
                             shared_bodies());

@@ -13,7 +13,7 @@ namespace {
 
 ProvedWear proved(const PreparedCase& prepared, Proof proof) {
   const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  ProvedAnswer unworn;
+  ProvedAnswer unworn{};
   unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
   return prove_wear(prepared, mdr, unworn, proof, shared_bodies());
 }
@@ -75,7 +75,7 @@ TEST(WearProof, WhereNoSlipIsProvedNothingIsCompared) {
   auto prepared = wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1\n", "set Phase = 0");
   const auto proved_with = [&prepared](double friction_bar) {
     const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-    ProvedAnswer unworn;
+    ProvedAnswer unworn{};
     unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
     const double work = unworn.fe.cycle.value().value(Quantity::friction_work) / unworn.fe.cycle->sliding_work;
     unworn.budget[Quantity::friction_work].add(ErrorSource::rings, friction_bar * work);
@@ -95,7 +95,7 @@ TEST(WearProof, WhereAllThatTouchesSticksNothingWears) {
   const auto prepared =
       prepared_case(replace(text, "Tolerance = 1e-3", "Tolerance = 1e-3\n  set Rings per radius = 16"));
   const auto mdr = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
-  ProvedAnswer unworn;
+  ProvedAnswer unworn{};
   unworn.fe = compute_case(prepared.fem, prepared.fem.resolution, shared_bodies());
   unworn.budget[Quantity::friction_work].add(ErrorSource::rings, 1);
   const auto wear = prove_wear(prepared, mdr, unworn, Proof::bars, shared_bodies());

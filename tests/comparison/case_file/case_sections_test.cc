@@ -184,19 +184,19 @@ TEST(CaseSections, ForcesStandInsteadOfDisplacements) {
 
 TEST(CaseSections, HarmonicsBelongToWhatIsPrescribed) {
   const std::string rest = "set Normal frequency = 1\n  set Tangential frequency = 1\n  set Phase = 0\n";
-  const std::string pressed = "set Normal force = 1\n  set Normal force amplitude = 0.1\n",
+  const std::string by_force = "set Normal force = 1\n  set Normal force amplitude = 0.1\n",
                     shifted = "set Tangential amplitude = 1e-6\n";
-  const auto read = motion(rest + pressed + "set Normal force harmonics = 20 mN, 2 Hz, 30 deg\n" +
+  const auto read = motion(rest + by_force + "set Normal force harmonics = 20 mN, 2 Hz, 30 deg\n" +
                            "set Tangential force amplitude = 0.1\nset Tangential force harmonics = 0.01, 3, 0");
   ASSERT_EQ(read.normal_harmonics.size(), 1U);
   EXPECT_NEAR(read.normal_harmonics[0].amplitude, 0.02, 1e-15);
   ASSERT_EQ(read.tangential_harmonics.size(), 1U);
   EXPECT_EQ(read.tangential_harmonics[0].frequency, 3);
-  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Normal harmonics = 1e-6, 2, 0"); }),
+  expect_parts(refusal([&] { motion(rest + by_force + shifted + "set Normal harmonics = 1e-6, 2, 0"); }),
                {"Motion / Normal harmonics", "the Normal force is prescribed"});
-  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Tangential force harmonics = 0.1, 2, 0"); }),
+  expect_parts(refusal([&] { motion(rest + by_force + shifted + "set Tangential force harmonics = 0.1, 2, 0"); }),
                {"Motion / Tangential force harmonics", "it belongs to a Tangential force amplitude"});
-  expect_parts(refusal([&] { motion(rest + pressed + shifted + "set Normal force harmonics = 0.1, 2"); }),
+  expect_parts(refusal([&] { motion(rest + by_force + shifted + "set Normal force harmonics = 0.1, 2"); }),
                {"Motion / Normal force harmonics", "amplitude in N"});
 }
 

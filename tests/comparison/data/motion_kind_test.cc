@@ -14,7 +14,7 @@ constexpr auto first_slip = Quantity::stick_radius_first_slip, shakedown = Quant
 TEST(MotionKind, IsThatOfThePath) {
   Case::Motion motion;
   EXPECT_EQ(motion_kind_of(motion), MotionKind::cycles);
-  motion.path.emplace();
+  motion.path = Case::Path{};
   EXPECT_EQ(motion_kind_of(motion), MotionKind::pass);
   motion.path->from_touch = true;
   EXPECT_EQ(motion_kind_of(motion), MotionKind::pass_from_touch);

@@ -76,7 +76,7 @@ TEST(LayerAnswer, UnderAForceIndentsAsFarAsTheLayerLets) {
 // Under displacements: D(c) = d - A beta for a steady depth, D and beta of the half-space.
 TEST(LayerAnswer, OfWearOnAThickLayerEndsInTheStateOfTheHalfSpace) {
   auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 10);
-  scene.wear_kinetics.emplace();
+  scene.wear_kinetics = Case::WearKinetics{};
   const auto mdr = mdr_case(scene);
   const auto state = layer_wear_state(mdr, mdr::StickCriterion::shakedown);
   ASSERT_TRUE(state);
@@ -113,7 +113,7 @@ TEST(LayerAnswer, OfAPushIsThatOfTheOscillationThatBeginsWithIt) {
 
 TEST(LayerAnswer, IsRefusedByNameForWhatItDoesNotCompute) {
   auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 1e-2);
-  scene.wear_kinetics.emplace();
+  scene.wear_kinetics = Case::WearKinetics{};
   EXPECT_NO_THROW(mdr_case(scene));
   auto two_frequencies = scene;
   two_frequencies.motion.phase = 0;

@@ -32,8 +32,8 @@ TEST(MdrDocument, PrescribedForcesGiveBackTheStateOfTheirDisplacements) {
   const std::string first =
       replace(replace(valid_case, displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
               "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05");
-  const auto forces = document_of(first);
-  const auto& state = forces.at("limiting_state").at("shakedown");
+  const auto under_forces = document_of(first);
+  const auto& state = under_forces.at("limiting_state").at("shakedown");
   EXPECT_NEAR(state.at("normal_force_mean").get<double>(), 0.5, 1e-12);
   const auto text = [&](const char* key) { return std::to_string(1e6 * state.at(key).get<double>()) + "e-6"; };
   const auto back = document_of(replace(

@@ -101,6 +101,20 @@ TEST(Report, RefusesAFolderWithoutResultsAndDamagedTables) {
   EXPECT_NE(message().find("exact.json: "), std::string::npos) << message();
 }
 
+// Whatever a section finds where it does not expect it: no key is in the list of those that are looked at first.
+TEST(Report, RefusesAResultThatASectionCannotReadByItsFile) {
+  const ScratchFolder folder;
+  auto damaged = stored_result();
+  damaged["name"] = "family/phase-60";
+  damaged["scene"]["normal_harmonics"] = "three of them";
+  for (const char* name : {"good", "damaged"}) std::filesystem::create_directories(folder.path() / name);
+  folder.write("good/result.json", stored_result().dump());
+  folder.write("damaged/result.json", damaged.dump());
+  expect_parts(refusal([&] { write_report(folder.path()); }),
+               {(folder.path() / "damaged/result.json: ").string(), "is this a result of fretval?"});
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "index.html"));
+}
+
 // The answer of few cases as the terminal has it, then all tables.
 TEST(Report, HasWordsForReadersWithoutScripts) {
   const ScratchFolder folder;

@@ -82,7 +82,7 @@ TEST(CaseInputs, SayWhatWasMeasuredAtWhichTemperature) {
   Case input{};
   input.indenter.table_noise = 1e-7;
   input.elastomer.rheology = Case::Rheology::table;
-  input.elastomer.master_curve.emplace();
+  input.elastomer.master_curve = Case::MasterCurve{};
   input.elastomer.master_curve->table = "dma.csv";
   input.elastomer.master_curve->youngs = true;
   input.elastomer.branch_times = {0.5};
@@ -137,7 +137,7 @@ TEST(CaseInputs, HaveForcesAndWhatWasMeasured) {
   input.motion.tangential_force = 0.05;
   input.motion.normal_frequency = 2;
   input.motion.tangential_frequency = 3;
-  input.measured.emplace();
+  input.measured = Case::Measured{};
   input.measured->stick_radius = {0.8e-3, 2e-5};
   input.measured->contact_radius = {1.1e-3, 1e-5};
   input.measured->loop = "loops.csv";

@@ -115,7 +115,8 @@ TEST(DataFiles, SayEveryNumberOfTheDataUnderItsKey) {
 TEST(ModuliFiles, HaveTheBodyAroundItsFrequenciesAndWhatWasMeasured) {
   const ScratchFolder folder;
   auto input = read_case();
-  auto& curve = input.elastomer.master_curve.emplace();
+  input.elastomer.master_curve = Case::MasterCurve{};
+  auto& curve = *input.elastomer.master_curve;
   curve.frequency = {0.01, 1, 100};
   curve.storage = {1e6, 1.3e6, 2e6};
   curve.loss = {1e4, 5e5, 1e4};

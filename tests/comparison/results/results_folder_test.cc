@@ -40,6 +40,13 @@ TEST(ResultsFolder, RefusesAResultOfAnotherKindByKey) {
   for (const char* key : {"dofs", "time_steps", "cycles"})
     expect_parts(with((std::string("/cost/") + key).c_str(), 1.2e12), {key, "at most 2e9"});
   expect_parts(with("/fe/error_estimate", 1), {"\"fe/error_estimate\" is 1, must be an object"});
+  for (const char* wear : {"/fe/wear", "/fe/surface_wear"}) {
+    expect_parts(with(wear, "unworn"), {wear + 1, "is \"unworn\", must be an object"});
+    expect_parts(with(wear, {{"cycles", nlohmann::ordered_json::array()}, {"volume", {1e-15}}}),
+                 {"/cycles\" is array, must be a list that is not empty"});
+    expect_parts(with(wear, {{"cycles", {10}}, {"volume", 1e-15}}), {"/volume\" is 1e-15, must be a list"});
+    EXPECT_EQ(with(wear, {{"cycles", {10}}, {"volume", {1e-15}}}), "no error");
+  }
   folder.write("result.json", good.dump().substr(0, 300));
   expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
   folder.write("result.json", "[]");

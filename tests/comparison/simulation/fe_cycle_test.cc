@@ -8,7 +8,7 @@ namespace fretval::fe_cycle_test {
 namespace {
 
 TEST(FeCycle, IsInTheUnitsOfItsCase) {
-  FemCase fem;
+  FemCase fem{};
   fem.units = {1, 2, 3, 1};  // 6 N, 12 J
   fem::SurfaceHistory history;
   history.forces = Eigen::Matrix3Xd::Zero(3, 2);

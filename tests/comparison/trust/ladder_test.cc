@@ -146,7 +146,7 @@ TEST(NotComputed, KnowsTheOrderOfWhatIsMissing) {
 
 TEST(Ladder, RefusesWear) {
   auto scene = suite_case("parabola-elastic-steady", 1e-2);
-  scene.wear_kinetics.emplace();
+  scene.wear_kinetics = Case::WearKinetics{};
   BodyStore bodies;
   EXPECT_THROW(ladder_of(scene, bodies), InputError);
 }

@@ -1,5 +1,13 @@
-// A step works in the memory that is there. A sanitizer has its own malloc, and nothing to count with.
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+// A step works in the memory that is there. A sanitizer has its own malloc, and nothing to count with: GCC names it by
+// a macro, clang by a feature.
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HAS_MALLOC_OF_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HAS_MALLOC_OF_SANITIZER
+#endif
+#ifndef HAS_MALLOC_OF_SANITIZER
 
 #include <gtest/gtest.h>
 

@@ -276,10 +276,10 @@ TEST(RelaxationStep, PassingIsWhatATurnAddsAtTheInstantAlone) {
 TEST(RelaxationStep, ResponseOfADrivenStrainIsProportionalToIt) {
   const RelaxationModel model{0.7, {0.5, 0.8}, {2, 0.1}, 0.3};
   const RelaxationStep step(model, 0.2);
-  const Eigen::VectorXd driven = Eigen::Vector3d(1, -2, 0), no_slip = Eigen::Vector3d::Zero();
+  const Eigen::VectorXd driven = Eigen::Vector3d(1, -2, 0), slip = Eigen::Vector3d::Zero();
   RingState state{Eigen::Vector3d::Zero(), Eigen::MatrixXd::Zero(3, 2)};
   const IndenterMove move{0.1, {1, 0.5, 0.2}};
-  step.advance(state, move, no_slip, driven);
+  step.advance(state, move, slip, driven);
   const Eigen::VectorXd stress = step.response_without_slip(state, move, driven);
   EXPECT_GT(stress[0], 0);
   EXPECT_LT((stress - stress[0] * driven).norm(), 1e-15);

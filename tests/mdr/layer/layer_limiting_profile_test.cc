@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "mdr/stick/limiting_profile.h"
+#include "mdr/support/constants.h"
 #include "tests/mdr/error_of.h"
 #include "tests/mdr/layer/layer_surface.h"
 
@@ -46,7 +47,7 @@ TEST(LayerLimitingProfile, RunsAlongTheFreeSurface) {
 
 // On a thick layer that of the paper's profile; on any 2 pi int (f_inf - f) r dr, by a midpoint rule of its own.
 TEST(LayerLimitingProfile, HasTheVolumeBetweenBothShapes) {
-  const double pi = 3.14159265358979323846, c = 0.6;
+  const double c = 0.6;
   EXPECT_NEAR(worn_volume(layer_limiting_profile(parabola(1), {1e6, 0.5}, c, 1)) /
                   worn_volume(limiting_profile(parabola(1), c, 1)),
               1, 1e-4);
@@ -72,7 +73,7 @@ TEST(LayerLimitingProfile, WearsNothingWhereAllOfTheContactSticks) {
 TEST(LayerLimitingProfile, PressureAddsUpToTheForce) {
   const Layer layer{0.5, 0.5};
   const LayerLimitingProfile worn = layer_limiting_profile(parabola(1), layer, 0.7, 0.5);
-  const double pi = 3.14159265358979323846, c = 0.7;
+  const double c = 0.7;
   const double sum = boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
       [&](double angle) {
         const double r = c * std::sin(angle);

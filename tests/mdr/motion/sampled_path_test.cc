@@ -35,7 +35,7 @@ TEST(SampledPath, OfForcesRisesFromNoTangentialForce) {
 }
 
 TEST(SampledPath, IsRefusedWhereItIsNone) {
-  const auto refused = [](SampledPath path) { return error_of([&] { validate(path); }); };
+  const auto refused = [](const SampledPath& path) { return error_of([&] { validate(path); }); };
   EXPECT_EQ(refused(triangle(true)), "accepted");
   EXPECT_NE(refused({{0}, {1}, {0}, false}).find("two rows"), std::string::npos);
   EXPECT_NE(refused({{0, 1}, {1, 1}, {0}, false}).find("two rows"), std::string::npos);

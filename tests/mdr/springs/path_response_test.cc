@@ -73,7 +73,7 @@ TEST(PathResponse, OfABodyThatCreepsForLongIsItsPeriodicState) {
   const double rows = 4 * std::pow(2 * pi / n, 2) / 12;
   EXPECT_NEAR(stepped.forces.normal_force_max / exact.normal_force_max, 1, rows);
   EXPECT_NEAR(stepped.forces.normal_force_min / exact.normal_force_min, 1, 2 * rows);
-  const auto radii = stick_radii(parabola(1), body, mu, {1, {{0.2, 1, 0}}, {{0.15, 1, 0.8}}});
+  const auto radii = stick_radii(parabola(1), body, mu, HarmonicMotion{1, {{0.2, 1, 0}}, {{0.15, 1, 0.8}}});
   EXPECT_NEAR(std::sqrt(stepped.forces.shakedown), radii.shakedown.value(), rows);
   EXPECT_NEAR(std::sqrt(stepped.forces.first_slip), radii.first_slip.value(), 4 * rows);
 }

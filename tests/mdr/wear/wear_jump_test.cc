@@ -84,8 +84,7 @@ TEST(WearJump, SolvesItsEquation) {
 TEST(WearJump, StopsWhereThePressureIsGone) {
   const MeasuredCycle m = measured_cycle(elastic(1), {1, 0, 0.3, 1, 1, 0}, 80, 30);
   const Eigen::ArrayXd room = 1 - m.bed.depth;
-  const double accuracy = 1e-13;
-  const Eigen::ArrayXd worn = *wear_jump(m.matrices, m.cycle, room, 1e15, accuracy);
+  const Eigen::ArrayXd worn = *wear_jump(m.matrices, m.cycle, room, 1e15, 1e-13);
   const Eigen::ArrayXd fall = (m.matrices.image * worn.matrix()).array();
   const Eigen::ArrayXd pressure = (m.matrices.stress * (room - fall).max(0).matrix()).array();
   for (Eigen::Index i = 0; i < 80; ++i) {

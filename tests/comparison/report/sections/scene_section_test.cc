@@ -38,7 +38,7 @@ TEST(Scene, HasTheGroupsOfItsBody) {
   scene["tangential_amplitude"] = 1e-5;
   scene["contact_radius_unworn"] = 1e-3;
   expect_parts(rendered(scene_of(result)), {"<dd>2.25</dd>", "<dd>0.5</dd>"});
-  scene["inputs"] = {input("Elastomer", "Poisson ratio", 0.25, "")};
+  scene["inputs"] = nlohmann::ordered_json::array({input("Elastomer", "Poisson ratio", 0.25, "")});
   scene["mesh"] = {{"thickness", 4e-3}};
   expect_parts(rendered(scene_of(result)), {"<dd>1.75</dd>", "<dd>0.25</dd>"});
 }

@@ -56,7 +56,8 @@ TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
 /// The motion of a case as a table of so many rows a period.
 Case sampled(Case input, int n_rows) {
   auto& motion = input.motion;
-  auto& path = motion.path.emplace();
+  motion.path = Case::Path{};
+  auto& path = *motion.path;
   path.file = "sampled.csv";
   path.repeats = true;
   const double pi = std::acos(-1.0), phase = *motion.phase * pi / 180;
