@@ -32,8 +32,11 @@ ProfileChain chain_of(const WearSimulation& wear, const Eigen::VectorXd& worn, d
 std::vector<double> distances_of(const WearSimulation& wear, const Units& units, const WearLimit& limit) {
   const auto chain = limit_of(wear, units, limit);
   std::vector<double> distances;
-  for (const auto& worn : wear.course.worn)
+  const auto add = [&](const Eigen::VectorXd& worn) {
     distances.push_back(distance_between(chain_of(wear, worn, units.depth / limit.maximum_indentation), chain));
+  };
+  for (std::size_t i = 0; i + 1 < wear.course.worn.size(); ++i) add(wear.course.worn[i]);
+  add(wear.end.worn);
   return distances;
 }
 
