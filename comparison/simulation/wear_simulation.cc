@@ -31,7 +31,8 @@ double end_of_parabola(const WearSimulation& wear, Eigen::Index inner, double la
 
 /// The worn depth ends at an angle: the parabola through the three outermost rings but one, which may be worn in part,
 /// is drawn on to zero. How far that is off, the parabola from one ring further in tells. A ring that wears in part
-/// loses the mean of a depth that goes on below zero; its part of the volume is that under the parabola.
+/// loses the mean of a depth that goes on below zero; its part of the volume is that under the parabola, and its depth
+/// that of the parabola at its centre.
 void read_outer_edge(const Eigen::VectorXd& areas, WearSimulation& wear) {
   constexpr double nothing = 1e-7;
   const Eigen::VectorXd& worn = wear.end.worn;
@@ -53,6 +54,7 @@ void read_outer_edge(const Eigen::VectorXd& areas, WearSimulation& wear) {
                          (circumference_times_depth(inner_edge) + 4 * circumference_times_depth(middle) +
                           circumference_times_depth(wear.worn_radius)) -
                      areas[outermost] * worn[outermost];
+  wear.end.worn[outermost] = std::max(depth(wear.centre[outermost]), 0.0);
 }
 
 }  // namespace
