@@ -114,7 +114,10 @@ VectorXd carried_over(const WornContact& contact, const VectorXd& unworn, const 
   const auto& last = course.last;
   const VectorXd &start = course.worn.front(), &whole = course.worn.back();
   const VectorXd stuck = depths_of_stuck(contact.normal, last, unworn + whole);
-  VectorXd disc = depths_up_to(edge, series, (last.largest_indentation - (unworn + start).array()).matrix());
+  VectorXd worn = whole;  // inside the edge nothing wears, whatever its rings did
+  for (Index i = 0; i < worn.size(); ++i)
+    if (!sticks(last, i)) worn[i] = start[i];
+  VectorXd disc = depths_up_to(edge, series, (last.largest_indentation - (unworn + worn).array()).matrix());
   double rise = 0;
   if (contact.motion.normal_force) {
     const VectorXd one = depths_up_to(edge, series, VectorXd::Ones(disc.size()));
@@ -123,12 +126,9 @@ VectorXd carried_over(const WornContact& contact, const VectorXd& unworn, const 
     disc -= rise * one;
   }
   const VectorXd sinks = (*compliance.matrix * series.tractions(stuck - disc)).cwiseQuotient(compliance.areas);
-  VectorXd worn = whole;
-  for (Index i = 0; i < worn.size(); ++i) {
-    const bool is_outside = series.edges()[i + 1] > edge;
-    if (whole[i] > start[i] || (is_outside && sticks(last, i)))
+  for (Index i = 0; i < worn.size(); ++i)
+    if (series.edges()[i + 1] > edge && (whole[i] > start[i] || sticks(last, i)))
       worn[i] = std::max(whole[i] - rise + sinks[i], start[i]);
-  }
   return worn;
 }
 
