@@ -42,8 +42,9 @@ struct EndOfWear {
 /// depths D of what sticks. D of the rings that did stick is known from the indenter that is left; D of the disc up to
 /// the edge from the indenter before, the ring that holds the edge having a share of its depth. What is worn differs by
 /// what the difference moves of the surface; under a normal force the indenter also rises by what keeps the force. This
-/// is the difference between two limiting profiles alone: what wear has left undone elsewhere stays undone. Second
-/// order in the rings.
+/// is the difference between two limiting profiles alone: what wear has left undone elsewhere stays undone. Rings
+/// inside the edge that slipped all the same have lost nothing.
+/// Second order in the rings.
 ///
 /// Whole rings are kept over another body than a half-space, where fewer than nine rings stick, where the root is
 /// further away, and where rings that slip or open bear more than a hundredth of the first force: wear goes on then, or
