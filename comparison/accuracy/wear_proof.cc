@@ -28,23 +28,20 @@ std::vector<Resolution> needed_for_bars(const Resolution& resolution) {
 }
 
 Quantities quantities_of(const WearSimulation& wear, const Units& units, const WearLimits& limits) {
-  return {{Quantity::worn_volume, wear.course.curve.back().volume * units.volume() / limits.shakedown.volume},
+  return {{Quantity::worn_volume, wear.end_volume * units.volume() / limits.shakedown.volume},
           {Quantity::worn_radius, wear.worn_radius}};
 }
 
 double stick_radius_of(const WearSimulation& wear) {
-  return wear.course.curve.back().stick_radius;
+  return wear.end.stick.radius;
 }
 
-/// Error of the stick radius at the end of wear, 0 if nothing sticks. As a ring slips as a whole or not at all, it is
-/// known to the width of the rings at it. Under prescribed displacements over a half-space it should be that of the
-/// unworn contact, and what wear has taken of that is an error, too.
+/// Error of the stick radius at the end of wear, 0 if nothing sticks. Under prescribed displacements over a half-space
+/// it should be that of the unworn contact, and what wear has taken of that is an error, too.
 double stick_radius_error(const PreparedCase& prepared, const WearSimulation& wear, double unworn_stick_radius) {
-  const double stick_radius = stick_radius_of(wear);
+  const auto [stick_radius, uncertainty] = wear.end.stick;
   if (stick_radius == 0) return 0;
-  const auto rings = rings_at(wear.radii, stick_radius);
-  return std::max(
-      {rings.inside, rings.outside, stick_radius_moves(prepared.fem) ? 0 : unworn_stick_radius - stick_radius});
+  return std::max(uncertainty, stick_radius_moves(prepared.fem) ? 0 : std::abs(unworn_stick_radius - stick_radius));
 }
 
 /// Worn volume of the limiting state for a stick radius c, up to a factor: it vanishes like (a - c)^(5/2) as c comes to
@@ -74,8 +71,8 @@ CaseNeeds needs_of_wear(const FemCase& fem) {
   return needs;
 }
 
-/// The budget of wear. The stick radius at the end jumps by rings, and the volume with it: refinements are compared at
-/// the stick radius of the answer, and the error of that is a share of its own.
+/// The budget of wear. The error of the stick radius at the end is a share of its own. Where that is only known to
+/// whole rings it jumps, and the volume with it: such refinements are compared at the stick radius of the answer.
 ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, double unworn_stick_radius,
                       const WearComputations& computed) {
   const auto& units = prepared.fem.units;
@@ -89,11 +86,10 @@ ErrorBudget budget_of(const PreparedCase& prepared, const ProvedWear& wear, doub
     known[other] = {};
     if (!computation.failure.empty()) continue;
     known[other] = quantities_of(computation.fe, units, limits);
-    if (wear.ends_in_limit())
+    if (wear.ends_in_limit() && !(fe.end.is_shared && computation.fe.end.is_shared))
       known[other][Quantity::worn_volume] *=
           volume_beyond(stick_radius_of(fe)) / volume_beyond(stick_radius_of(computation.fe));
-    worn[other] =
-        chain_of(computation.fe, computation.fe.course.worn.back(), units.depth / limits.shakedown.maximum_indentation);
+    worn[other] = chain_of(computation.fe, computation.fe.end.worn, units.depth / limits.shakedown.maximum_indentation);
   }
   auto budget = error_budget(resolution, variants, known, {{Quantity::worn_radius, fe.worn_radius_uncertainty}}, needs);
   const auto between = [&worn](const Resolution& finer, const Resolution& coarser) {

@@ -6,15 +6,21 @@
 
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/stopwatch.h"
+#include "fem/ring_contact/stencil.h"
+#include "fem/support/constants.h"
 #include "fem/wear/rubbing_rings.h"
 
 namespace fretval {
 namespace {
 
-/// Where the parabola through the worn depths of three neighbouring rings meets zero first, going outward from the
-/// outermost of them; no further than `last`.
+/// The parabola through the worn depths of three neighbouring rings.
+fem::Stencil parabola(const WearSimulation& wear, Eigen::Index inner) {
+  return {wear.centre, wear.end.worn, inner, 3};
+}
+
+/// Where it meets zero first, going outward from the outermost of them; no further than `last`.
 double end_of_parabola(const WearSimulation& wear, Eigen::Index inner, double last) {
-  const Eigen::VectorXd& worn = wear.course.worn.back();
+  const Eigen::VectorXd& worn = wear.end.worn;
   const double start = wear.centre[inner + 2], first = wear.centre[inner + 1] - start,
                second = wear.centre[inner] - start, depth = worn[inner + 2];
   const double slope_first = (worn[inner + 1] - depth) / first, slope_second = (worn[inner] - depth) / second;
@@ -24,10 +30,13 @@ double end_of_parabola(const WearSimulation& wear, Eigen::Index inner, double la
 }
 
 /// The worn depth ends at an angle: the parabola through the three outermost rings but one, which may be worn in part,
-/// is drawn on to zero. How far that is off, the parabola from one ring further in tells.
-void read_worn_radius(WearSimulation& wear) {
+/// is drawn on to zero. How far that is off, the parabola from one ring further in tells. A ring that wears in part
+/// loses the mean of a depth that goes on below zero; its part of the volume is that under the parabola, and its depth
+/// that of the parabola at its centre.
+void read_outer_edge(const Eigen::VectorXd& areas, WearSimulation& wear) {
   constexpr double nothing = 1e-7;
-  const Eigen::VectorXd& worn = wear.course.worn.back();
+  const Eigen::VectorXd& worn = wear.end.worn;
+  wear.end_volume = areas.dot(worn);
   Eigen::Index outermost = worn.size() - 1;
   while (outermost >= 0 && worn[outermost] <= nothing) --outermost;
   if (outermost < 0) return;
@@ -37,6 +46,15 @@ void read_worn_radius(WearSimulation& wear) {
   wear.worn_radius = is_wide ? end_of_parabola(wear, outermost - 3, last) : wear.radii[ring + 1];
   wear.worn_radius_uncertainty =
       is_wide ? std::abs(end_of_parabola(wear, outermost - 4, last) - wear.worn_radius) : last - inner_edge;
+  if (!is_wide || !wear.end.is_shared) return;
+  const auto depth = parabola(wear, outermost - 3);
+  const auto circumference_times_depth = [&](double r) { return 2 * fem::pi * r * depth(r); };
+  const double middle = (inner_edge + wear.worn_radius) / 2;  // Simpson's rule is exact for a cubic
+  wear.end_volume += (wear.worn_radius - inner_edge) / 6 *
+                         (circumference_times_depth(inner_edge) + 4 * circumference_times_depth(middle) +
+                          circumference_times_depth(wear.worn_radius)) -
+                     areas[outermost] * worn[outermost];
+  wear.end.worn[outermost] = std::max(depth(wear.centre[outermost]), 0.0);
 }
 
 }  // namespace
@@ -64,7 +82,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
   const auto coarse = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
   return settled_edge(fem, unworn_stick_radius, [&](const WornEdge& edge) {
     const auto made = simulate_wear(fem, wear, edge, coarse, bodies, {run.checkpoints});
-    const double stick_radius = made.course.curve.back().stick_radius;
+    const double stick_radius = made.end.stick.radius;
     return WearPass{made.course.end, made.course.last.largest_indentation, stick_radius,
                     rings_at(made.radii, stick_radius).outside};
   });
@@ -93,7 +111,10 @@ WearSimulation simulate_wear(const FemCase& fem_case, const Case::WearKinetics& 
   simulation.course = worn_to_its_end(std::move(rings), profile, fem, wear, run.checkpoints, [&](const auto& course) {
     if (run.progress) run.progress(simulation, course);
   });
-  read_worn_radius(simulation);
+  const fem::WornContact contact{body->normal, *body->tangential,     fem.relaxation,
+                                 fem.motion,   fem.steps_per_cycle(), fem.friction_coefficient};
+  simulation.end = fem::end_of_wear(contact, profile.unworn, simulation.course);
+  read_outer_edge(body->normal.compliance.areas, simulation);
   simulation.seconds = watch.lap();
   return simulation;
 }

@@ -7,6 +7,7 @@
 
 #include "comparison/simulation/bodies/body_store.h"
 #include "comparison/simulation/fem_case/fem_case.h"
+#include "fem/wear/end_of_wear.h"
 #include "fem/wear/wear_course.h"
 
 namespace fretval {
@@ -14,6 +15,8 @@ namespace fretval {
 /// Wear of an indenter by finite elements; dimensionless, in the units of its case.
 struct WearSimulation {
   fem::WearCourse course;
+  fem::EndOfWear end;         ///< of the course, to a share of a ring
+  double end_volume = 0;      ///< worn off then
   std::vector<double> radii;  ///< of the rings
   std::shared_ptr<const BodySummary> body;
   Eigen::VectorXd unworn;              ///< height at the centres of the rings

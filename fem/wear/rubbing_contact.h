@@ -29,6 +29,7 @@ class RubbingContact {
   virtual Eigen::VectorXd step(const PressureWear& wear) = 0;
 
   [[nodiscard]] virtual Eigen::VectorXd pressure() const = 0;  ///< at the balance time of the step
+  [[nodiscard]] virtual Eigen::VectorXd traction() const = 0;  ///< along x, at the same time
   [[nodiscard]] virtual double friction_work() const = 0;      ///< of the last step, with the slip that step() returned
   [[nodiscard]] virtual double indentation() const = 0;        ///< of the indenter at the end of the step
   [[nodiscard]] virtual Eigen::Vector2d displacement() const = 0;

@@ -18,6 +18,7 @@ class RubbingRings final : public RubbingContact {
   [[nodiscard]] std::unique_ptr<RubbingContact> clone() const override;
   Eigen::VectorXd step(const PressureWear& wear) override;
   [[nodiscard]] Eigen::VectorXd pressure() const override { return normal_.pressure; }
+  [[nodiscard]] Eigen::VectorXd traction() const override { return friction_.traction; }
   [[nodiscard]] double friction_work() const override;
   [[nodiscard]] double indentation() const override { return normal_.indentation; }
   [[nodiscard]] Eigen::Vector2d displacement() const override { return {friction_.displacement, 0}; }

@@ -40,6 +40,10 @@ VectorXd RubbingSurface::pressure() const {
   return as_vector(contact_.pressure);
 }
 
+VectorXd RubbingSurface::traction() const {
+  return as_vector(contact_.friction.traction.leftCols(contact_.pressure.cols()));
+}
+
 VectorXd RubbingSurface::worn() const {
   return as_vector(contact_.profile) - unworn_;
 }

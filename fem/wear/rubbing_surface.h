@@ -17,6 +17,7 @@ class RubbingSurface final : public RubbingContact {
   [[nodiscard]] std::unique_ptr<RubbingContact> clone() const override;
   Eigen::VectorXd step(const PressureWear& wear) override;
   [[nodiscard]] Eigen::VectorXd pressure() const override;
+  [[nodiscard]] Eigen::VectorXd traction() const override;
   [[nodiscard]] double friction_work() const override;
   [[nodiscard]] double indentation() const override { return contact_.depth; }
   [[nodiscard]] Eigen::Vector2d displacement() const override { return contact_.friction.displacement; }

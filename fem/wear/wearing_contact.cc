@@ -54,6 +54,7 @@ void WearingContact::run_period(double n_cycles) {
   Period now;
   now.slip.resize(n, n_steps);
   now.pressure.resize(n, n_steps);
+  now.traction.resize(n, n_steps);
   Eigen::Vector2d least = contact_->displacement(), most = least;
   for (Eigen::Index k = 0; k < n_steps; ++k) {
     now.slip.col(k) = contact_->step(
@@ -63,6 +64,7 @@ void WearingContact::run_period(double n_cycles) {
     least = least.cwiseMin(contact_->displacement());
     most = most.cwiseMax(contact_->displacement());
     now.pressure.col(k) = contact_->pressure();
+    now.traction.col(k) = contact_->traction();
     now.friction_work += per_cycle * contact_->friction_work();
   }
   now.tangential_amplitude = (most - least).maxCoeff() / 2;

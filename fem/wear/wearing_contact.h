@@ -44,6 +44,7 @@ class WearingContact {
   /// Slip, pressure and wear of the points in a period.
   struct Period {
     Eigen::MatrixXd slip, pressure;  ///< points x steps; a slip of 0: the point sticks
+    Eigen::MatrixXd traction;        ///< along x, points x steps
     Eigen::VectorXd path;            ///< length of slip of each point
     Eigen::VectorXd rate;            ///< wear per cycle of each point at that slip and pressure
     Eigen::VectorXd largest_pressure;
@@ -56,7 +57,8 @@ class WearingContact {
 
     template <class Archive>
     void serialize(Archive& archive) {
-      archive(slip, pressure, path, rate, largest_pressure, friction_work, largest_indentation, tangential_amplitude);
+      archive(slip, pressure, traction, path, rate, largest_pressure, friction_work, largest_indentation,
+              tangential_amplitude);
     }
   };
   [[nodiscard]] const Period& period() const { return period_; }

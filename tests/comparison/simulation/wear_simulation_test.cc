@@ -7,6 +7,7 @@
 #include <string>
 
 #include "comparison/simulation/compute_case.h"
+#include "mdr/stick/limiting_profile.h"
 #include "tests/comparison/scratch_folder.h"
 #include "tests/comparison/shared_bodies.h"
 #include "tests/comparison/wearing_case.h"
@@ -74,6 +75,18 @@ TEST(WearSimulation, GoesOnFromATableOfTheWornProfile) {
   EXPECT_NEAR(rest.course.curve.back().volume, volume, 2e-3 * volume);
   EXPECT_LT((rest.course.worn.back() - whole.course.worn.back()).cwiseAbs().maxCoeff(), 2e-3);
   EXPECT_EQ(rest.course.curve.back().stick_radius, whole.course.curve.back().stick_radius);
+}
+
+// Whichever ring the edge lies in: the closed form of the limit, to second order in rings of 1/24.
+TEST(WearSimulation, EndsWithTheVolumeOfTheLimitWhereverTheEdgeLiesInItsRing) {
+  const double c = 1e-3 * std::sqrt(0.8 - std::hypot(0.4, 0.2));
+  const double limit = mdr::worn_volume(mdr::limiting_profile(mdr::parabola(1e-2), c, 1e-4)) / (1e-4 * 1e-6);
+  for (const double node : {0.58, 0.594, 0.605}) {
+    const auto wear = worn_by(archard, node);
+    EXPECT_TRUE(wear.end.is_shared);
+    EXPECT_NEAR(wear.end.stick.radius, 1e3 * c, 2e-4) << node;
+    EXPECT_NEAR(wear.end_volume / limit, 1, 1e-3) << node;
+  }
 }
 
 // By its rings, to roundoff, onto the same rings and onto others.

@@ -41,7 +41,7 @@ TEST(WearingContact, RateIsTheLawAtSlipAndPressure) {
     half_space.motion.locked = n_cycles == 1;
     auto contact = half_space.contact({0.3, exponent});
     contact.settle();
-    const auto& [slip, pressure, path, rate, largest, work, indentation, amplitude] = contact.period();
+    const auto& [slip, pressure, traction, path, rate, largest, work, indentation, amplitude] = contact.period();
     const Eigen::Index n_steps = slip.cols();
     const Eigen::ArrayXXd law = pressure.array().pow(exponent);
     Eigen::ArrayXd depth = Eigen::ArrayXd::Zero(rate.size());
