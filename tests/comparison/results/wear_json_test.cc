@@ -24,10 +24,10 @@ ProvedWear made_up_wear() {
                   {},
                   {wear_limit(mdr::limiting_profile(mdr::parabola(1e-2), 5e-4, 1e-4)),
                    wear_limit(mdr::limiting_profile(mdr::parabola(1e-2), 4e-4, 1e-4))}};
-  auto& [course, radii, body, unworn, centre, worn_radius, uncertainty, seconds] = wear.fe;
-  radii = {0, 0.5, 1};
-  centre = Eigen::Vector2d(0.25, 0.75);
-  unworn = Eigen::Vector2d(0.1, 0.5);
+  auto& course = wear.fe.course;
+  wear.fe.radii = {0, 0.5, 1};
+  wear.fe.centre = Eigen::Vector2d(0.25, 0.75);
+  wear.fe.unworn = Eigen::Vector2d(0.1, 0.5);
   course.curve = {{0, 0, 2, 3, 0, 1, 0.5}, {1e6, 0.25, 0.5, 1, 0.2, 1, 0.5}};
   course.worn = {Eigen::Vector2d::Zero(), Eigen::Vector2d(0, 0.2)};
   course.largest_pressure = {Eigen::Vector2d(2, 3), Eigen::Vector2d(5, 0.5)};
