@@ -133,8 +133,8 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
     is_measured = false;
   }
   if (is_found()) return guess;
-  throw SolverError(fmt::format("no displacements of the indenter were found that balance its forces: {:g} is left",
-                                excess.lpNorm<Eigen::Infinity>()));
+  throw NoBalance(fmt::format("no displacements of the indenter were found that balance its forces: {:g} is left",
+                              excess.lpNorm<Eigen::Infinity>()));
 }
 
 }  // namespace fretval::fem

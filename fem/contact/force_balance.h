@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "fem/support/solver_error.h"
+
 namespace fretval::fem {
 
 /// Where a search for the balance of a force begins.
@@ -35,6 +37,11 @@ auto attempt_for_force(const Make& make, const ForceOf& force_of, double value, 
   return std::pair{displacement, std::move(*last)};
 }
 
+/// No displacements were found that balance forces, as where the contact is about to slide.
+struct NoBalance : SolverError {
+  using SolverError::SolverError;
+};
+
 /// Displacements in several directions, and the stiffness of the forces there: `stiffness(i, j) = dF_i/du_j`.
 struct BalanceOfForces {
   Eigen::VectorXd displacements;
@@ -44,7 +51,7 @@ struct BalanceOfForces {
 /// The displacements at which forces that depend on all of them have their values, by Broyden's method: what it learns
 /// of the stiffness is returned for the next search. After a step that does not halve what is left the stiffness is
 /// measured anew, and a step that brings too little then is damped (Levenberg 1944; Marquardt 1963). (Broyden 1965;
-/// Dennis and Schnabel, Numerical Methods for Unconstrained Optimization, chapter 8.) Throws SolverError where no force
+/// Dennis and Schnabel, Numerical Methods for Unconstrained Optimization, chapter 8.) Throws NoBalance where no force
 /// comes within `enough` of its value.
 BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
                                          const Eigen::VectorXd& values, BalanceOfForces guess, double probe,

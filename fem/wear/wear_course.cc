@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "fem/contact/force_balance.h"
 #include "fem/contact/gross_slip.h"
 
 namespace fretval::fem {
@@ -61,6 +62,7 @@ Eigen::VectorXd extrapolated(const Eigen::VectorXd& at_once, const Eigen::Vector
 /// shortest jump lets it slide.
 std::optional<Jump> jump(WearingContact& contact, double n_cycles, double largest) {
   const Eigen::VectorXd before = contact.worn(), rate_before = contact.period().rate;
+  const auto is_shortest = [&](double n) { return n * rate_before.maxCoeff() <= shortest_jump * largest; };
   while (true) {
     try {
       WearingContact at_once = contact, in_halves = contact;
@@ -80,9 +82,11 @@ std::optional<Jump> jump(WearingContact& contact, double n_cycles, double larges
       contact = std::move(in_halves);
       return Jump{n_cycles, deepest, error};
     } catch (const GrossSlip&) {
-      if (n_cycles * rate_before.maxCoeff() <= shortest_jump * largest) return std::nullopt;
-      n_cycles /= 2;
+      if (is_shortest(n_cycles)) return std::nullopt;
+    } catch (const NoBalance&) {  // so near to sliding that roundoff decides; a shorter jump stays away from there
+      if (is_shortest(n_cycles)) throw;
     }
+    n_cycles /= 2;
   }
 }
 
