@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -90,6 +91,12 @@ std::optional<Jump> jump(WearingContact& contact, double n_cycles, double larges
   }
 }
 
+/// Whether points still slip after a jump in which they should have lost, by how they slip now, as much as makes a
+/// largest jump in it roundoff: then their slip is roundoff.
+bool wears_by_roundoff(const WearingContact& contact, double n_cycles, double largest) {
+  return n_cycles * contact.period().rate.maxCoeff() > largest / std::numeric_limits<double>::epsilon();
+}
+
 double volume_after(const std::vector<WearPoint>& curve, double cycles) {
   const auto after = std::find_if(curve.begin() + 1, curve.end() - 1,
                                   [cycles](const WearPoint& point) { return point.cycles >= cycles; });
@@ -144,7 +151,8 @@ void wear_on(WearState& state, const WearControl& control, const WearObserver& a
     course.largest_jump_error = std::max(course.largest_jump_error, error);
     next = cycles * std::min(control.largest_jump / deepest, largest_growth);
     course.end = cycles >= left ? WearEnd::cycles : end_by_course(course, control);
-    goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy);
+    goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy) &&
+              !wears_by_roundoff(contact, cycles, control.largest_jump);
     if (after_jump) after_jump(state);
   }
   course.last = contact.period();
