@@ -82,7 +82,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
   const auto coarse = with_steps(with_rings(resolution_for_wear(fem.resolution), 0.5), 0.5);
   return settled_edge(fem, unworn_stick_radius, [&](const WornEdge& edge) {
     const auto made = simulate_wear(fem, wear, edge, coarse, bodies, {run.checkpoints});
-    const double stick_radius = made.end.stick.radius;
+    const double stick_radius = made.course.curve.back().stick_radius;
     return WearPass{made.course.end, made.course.last.largest_indentation, stick_radius,
                     rings_at(made.radii, stick_radius).outside};
   });
