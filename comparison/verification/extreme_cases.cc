@@ -61,8 +61,9 @@ void add_bodies(Cases& cases) {
         with_section(extremes_base(), kelvin_voigt(relaxed_modulus, x * relaxed_modulus / (2 * pi))));
   });
   vary(cases, "softening, omega tau = 1", "G0/Ginf = {:g}", {1e-1, 1e-2, 1e-4, 1e-6}, softening);
+  // At 1e-4 a body creeps for 1e9 cycles, and the roundoff of the processor decides whether it is refused.
   const auto slow = [](double x) { return with_small_amplitudes(standard_solid(1e6, 1 / x - 1)); };
-  vary(cases, "softening, omega tau = 1e6", "G0/Ginf = {:g}", {1e-2, 1e-4}, slow);
+  vary(cases, "softening, omega tau = 1e6", "G0/Ginf = {:g}", {1e-2, 1e-3}, slow);
   vary(cases, "softening, omega tau = 1e6", "G0/Ginf = {:g}", {1e-6}, slow, creeps);
   vary(cases, "softening, contact opens", "G0/Ginf = {:g}", {1e-1, 1e-3}, opening);
   vary(cases, "softening, contact opens", "G0/Ginf = {:g}", {1e-6}, opening, "a body that creeps for long");
