@@ -22,9 +22,16 @@ constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, t
 constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
 
-bool any_failed(const Tracks& tracks, const Computations& computed) {
-  const auto all = tracks.all();
-  return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return computed.failed(r); });
+bool any_failed(const std::vector<Resolution>& resolutions, const Computations& computed) {
+  return std::any_of(resolutions.begin(), resolutions.end(), [&](const Resolution& r) { return computed.failed(r); });
+}
+
+/// Computes all that is needed, and stops at the first resolution that fails.
+bool all_succeed(const std::vector<Resolution>& needed, Computations& computed) {
+  computed.compute({needed.front()});
+  if (computed.failed(needed.front())) return false;
+  computed.compute(needed);
+  return !any_failed(needed, computed);
 }
 
 bool focus_on_unresolved_edges(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
@@ -50,7 +57,7 @@ bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations&
 bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks, BarShares shares) {
   while (true) {
     computed.compute(tracks.all());
-    if (any_failed(tracks, computed)) return false;
+    if (any_failed(tracks.all(), computed)) return false;
     if (focus_on_unresolved_edges(prepared, computed, tracks)) continue;
     computed.compute(needed_for_bars(tracks, needs_of(prepared.fem), shares));
     if (!focus_on_what_is_hopeless(prepared, computed, tracks, shares)) return true;
@@ -102,12 +109,17 @@ bool has_normal_response(const FemCase& fem) {
          fem.motion.tangential_amplitude() > 0;
 }
 
-/// Refines until the response to the normal motion is proved, which takes no friction. Returns the resolution, and the
-/// number of refinements.
-std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& computed) {
+/// Refines until the response to the normal motion is proved, which takes no friction. At the resolution of the case
+/// the whole computations tell its errors, unless one of them fails: most cases are proved with these and need no others.
+/// Returns the resolution, and the number of refinements.
+std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& whole,
+                                                 Computations& without_friction) {
   auto resolution = prepared.fem.resolution;
   for (int n = 0;; ++n) {
-    computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
+    const auto needed = needed_for_bars({resolution, {}}, needs_of(prepared.fem));
+    const bool is_known = n == 0 && all_succeed(needed, whole);
+    auto& computed = is_known ? whole : without_friction;
+    computed.compute(needed);
     if (computed.failed(resolution)) return {prepared.fem.resolution, 0};
     std::vector<BarToMeet> bars;
     for (const auto& [quantity, bar] : error_bars_of_normal_response(prepared, resolution, computed))
@@ -210,7 +222,7 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& nu
   Tracks tracks{prepared.fem.resolution, {}};
   ProvedAnswer answer;
   if (proof == Proof::tolerance && numerics.normal_response)
-    std::tie(tracks.base, answer.n_refinements) = prove_normal_response(prepared, normal);
+    std::tie(tracks.base, answer.n_refinements) = prove_normal_response(prepared, computed, normal);
   if (proof == Proof::none) computed.compute(tracks.all());
   if (proof == Proof::bars) computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
   if (proof == Proof::tolerance) answer.n_refinements += refine_until_proved(prepared, computed, tracks);
