@@ -204,6 +204,7 @@ CaseNeeds needs_of(const FemCase& fem) {
   CaseNeeds needs;
   needs.memory = fem.relaxation.has_memory();
   needs.creep = !fem.motion.locked;
+  needs.without_period = needs.creep || fem.without_short_cycle;
   needs.kind = fem.kind;
   needs.motion_kind = fem.motion_kind;
   needs.held_from_start =

@@ -110,8 +110,8 @@ bool has_normal_response(const FemCase& fem) {
 }
 
 /// Refines until the response to the normal motion is proved, which takes no friction. At the resolution of the case
-/// the whole computations tell its errors, unless one of them fails: most cases are proved with these and need no others.
-/// Returns the resolution, and the number of refinements.
+/// the whole computations tell its errors, unless one of them fails: most cases are proved with these and need no
+/// others. Returns the resolution, and the number of refinements.
 std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& whole,
                                                  Computations& without_friction) {
   auto resolution = prepared.fem.resolution;

@@ -15,6 +15,8 @@ constexpr double finest_growth = 0.075, coarsest_growth = 1, finest_periodicity 
 /// Least numbers of rings per radius and of steps in a cycle with which an error of another source is measured.
 constexpr unsigned enough_rings = 24;
 constexpr int enough_steps = 24;
+/// Cycles in which a motion without a period goes through its phases where an error of another source is measured.
+constexpr int enough_creep_cycles = 12;
 
 /// Shifts in rings: the contact radius as far as possible from its place in a ring, then an edge at half of that
 /// radius.
@@ -27,6 +29,11 @@ Resolution with_fewer_rings(const Resolution& r) {
 Resolution with_fewer_steps(const Resolution& r) {
   for (const int divisor : {4, 2})
     if (r.steps_per_cycle / divisor >= enough_steps) return with_steps(r, 1.0 / divisor);
+  return r;
+}
+
+Resolution with_fewer_creep_cycles(Resolution r, const CaseNeeds& needs) {
+  if (needs.without_period) r.n_creep_cycles = std::min(r.n_creep_cycles, enough_creep_cycles);
   return r;
 }
 
@@ -77,8 +84,9 @@ const char* name_of(ErrorSource source) {
 std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& needs) {
   std::vector<Variant> variants;
   const bool is_full = needs.kind == ContactKind::plane;
-  const Resolution resolution =
-      is_full && all_angles.n_angles > fewest_angles ? with_angles(all_angles, 0.5) : all_angles;
+  const Resolution all_cycles =
+                       is_full && all_angles.n_angles > fewest_angles ? with_angles(all_angles, 0.5) : all_angles,
+                   resolution = with_fewer_creep_cycles(all_cycles, needs);
   const auto add = [&](ErrorSource source, const Resolution& reference, auto change) {
     variants.push_back(variant(source, reference, change));
   };
@@ -111,7 +119,7 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
     add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
   if (needs.creep)
     for (const int divisor : {2, 4})
-      add(ErrorSource::creep, coarse, [&](Resolution& r) { r.n_creep_cycles /= divisor; });
+      add(ErrorSource::creep, with_fewer_rings(all_cycles), [&](Resolution& r) { r.n_creep_cycles /= divisor; });
   if (!is_pass(needs.motion_kind)) add(ErrorSource::cycles, both, [](Resolution& r) { r.periodicity *= 10; });
   return variants;
 }

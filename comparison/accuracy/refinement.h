@@ -47,6 +47,9 @@ struct CaseNeeds {
   ContactKind kind = ContactKind::discs;
   MotionKind motion_kind = MotionKind::cycles;
   bool first_slip_ends_with_contact = false, shakedown_ends_with_contact = false;
+  /// All relations of the phases come by in the course of many cycles: an unlocked phase, or frequencies without a
+  /// common period.
+  bool without_period = false;
   /// A branch relaxes within two steps: an order in the step that coarser steps seem to show is not believed.
   bool has_short_branch = false;
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
@@ -67,11 +70,12 @@ struct CaseNeeds {
 /// reading the edges costs by the same rings with the edges elsewhere in them. Where the resolution is fine, each
 /// source is measured at a resolution that is coarser in a respect which does not make it smaller: rings and edges with
 /// half the steps (all where the indenter moves by them, or rings touch in any order), element order and grading with
-/// fewer steps, time step and creep with half the rings, far field, start and cycles with both. Two variants of one
-/// source follow each other, the coarser one last. On a given mesh (Resolution::mesh_refinements) coarser rings are
-/// merged neighbours; the grading is measured by cells split into four under the same rings; rings that begin elsewhere
-/// are made of halves of neighbouring rings; where fewer than 24 rings lie within the contact radius, finer rings, of
-/// cells split into four, are taken instead of coarser ones. A given mesh has no far field.
+/// fewer steps, time step and creep with half the rings, far field, start and cycles with both, and all but creep with
+/// fewer cycles of a motion without a period. Two variants of one source follow each other, the coarser one last. On a
+/// given mesh (Resolution::mesh_refinements) coarser rings are merged neighbours; the grading is measured by cells
+/// split into four under the same rings; rings that begin elsewhere are made of halves of neighbouring rings; where
+/// fewer than 24 rings lie within the contact radius, finer rings, of cells split into four, are taken instead of
+/// coarser ones. A given mesh has no far field.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The variants of a resolution for the course of wear, which ends shaken down and reads no edges: in rings, element

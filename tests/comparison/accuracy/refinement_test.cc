@@ -10,7 +10,7 @@ namespace {
 
 CaseNeeds unlocked() {
   CaseNeeds needs;
-  needs.creep = true;
+  needs.creep = needs.without_period = true;
   return needs;
 }
 
@@ -101,6 +101,16 @@ TEST(Variants, OfTwoOfASourceTheSecondIsTwiceAsCoarse) {
   for (const auto source : {ErrorSource::rings, ErrorSource::edge, ErrorSource::time_step, ErrorSource::creep})
     EXPECT_EQ(n[source], 2);
   EXPECT_EQ(n.size(), 9U) << "all but the jumps of wear";
+}
+
+// What all relations of the phases leave of the error of another source, few of them show.
+TEST(Variants, NeedManyCyclesForCreepAlone) {
+  auto resolution = resolution_for(1e-3);
+  resolution.n_creep_cycles = 192;
+  for (const auto& [source, varied, reference] : variants_of(resolution, unlocked()))
+    EXPECT_EQ(reference.n_creep_cycles, source == ErrorSource::creep ? 192 : 12) << name_of(source);
+  for (const auto& variant : variants_of(resolution, CaseNeeds()))
+    EXPECT_EQ(variant.reference.n_creep_cycles, 192) << "all have the same period";
 }
 
 // A mesh that the case brings along is not generated anew: cells are split, and rings share them.
