@@ -34,17 +34,16 @@ ProofCost operator+(const ProofCost& a, const ProofCost& b) {
           {a.bodies.all + b.bodies.all, a.bodies.from_store + b.bodies.from_store}};
 }
 
-ProofCost Computations::cost_of(std::initializer_list<const Computations*> sets) {
+ProofCost Computations::cost() const {
   ProofCost cost;
   std::vector<std::shared_ptr<const BodySummary>> bodies;
-  for (const auto* set : sets)
-    for (const auto& [resolution, computation] : set->all_) {
-      ++cost.computations;
-      cost.time_steps += computation.fe.n_steps;
-      cost.cycles += computation.fe.n_cycles;
-      cost.seconds += computation.seconds;
-      bodies.push_back(computation.fe.body);
-    }
+  for (const auto& [resolution, computation] : all_) {
+    ++cost.computations;
+    cost.time_steps += computation.fe.n_steps;
+    cost.cycles += computation.fe.n_cycles;
+    cost.seconds += computation.seconds;
+    bodies.push_back(computation.fe.body);
+  }
   cost.bodies = count_of(bodies);
   return cost;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <initializer_list>
 #include <map>
 #include <string>
 #include <utility>
@@ -52,8 +51,7 @@ class Computations {
   [[nodiscard]] const std::map<Resolution, Quantities>& quantities() const { return quantities_; }
   [[nodiscard]] const Units& units() const { return units_; }
   [[nodiscard]] int size() const { return static_cast<int>(all_.size()); }
-  /// Cost of several sets of computations, which may share bodies.
-  static ProofCost cost_of(std::initializer_list<const Computations*> sets);
+  [[nodiscard]] ProofCost cost() const;  ///< of all computations
 
  private:
   Units units_;

@@ -229,19 +229,6 @@ std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& n
   return needed;
 }
 
-ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Resolution& resolution,
-                                          const Computations& computed) {
-  const auto needs = needs_of(prepared.fem);
-  auto all =
-      error_budget(resolution, computed.quantities(), uncertainties_of_edges(computed.at(resolution), prepared.fem),
-                   needs, readings_of_rings(resolution, needs, computed, prepared.fem));
-  carry_calibration(prepared.fem, computed.at(resolution), all);
-  ErrorBudget bars;
-  for (const auto quantity : {Quantity::contact_radius_max, Quantity::indentation_max, Quantity::normal_force_max})
-    if (const auto found = all.find(quantity); found != all.end()) bars.insert(*found);
-  return bars;
-}
-
 ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
                        Borders borders, BarShares shares) {
   ErrorBudget all;

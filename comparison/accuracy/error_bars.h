@@ -25,8 +25,4 @@ enum class Borders { left_out, carried };
 ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
                        Borders borders, BarShares shares = BarShares::all);
 
-/// The error bars of the quantities that depend on the normal motion alone, from compute_normal_response().
-ErrorBudget error_bars_of_normal_response(const PreparedCase& prepared, const Resolution& resolution,
-                                          const Computations& computed);
-
 }  // namespace fretval

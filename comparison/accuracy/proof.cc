@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 #include "comparison/accuracy/error_bars.h"
@@ -24,14 +23,6 @@ constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::st
 
 bool any_failed(const std::vector<Resolution>& resolutions, const Computations& computed) {
   return std::any_of(resolutions.begin(), resolutions.end(), [&](const Resolution& r) { return computed.failed(r); });
-}
-
-/// Computes all that is needed, and stops at the first resolution that fails.
-bool all_succeed(const std::vector<Resolution>& needed, Computations& computed) {
-  computed.compute({needed.front()});
-  if (computed.failed(needed.front())) return false;
-  computed.compute(needed);
-  return !any_failed(needed, computed);
 }
 
 bool focus_on_unresolved_edges(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
@@ -102,35 +93,6 @@ std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe
   return planned;
 }
 
-/// Whether the response to the normal motion can be proved by itself: it is shared by cases with the same normal
-/// motion, such as those of a sweep of the phase.
-bool has_normal_response(const FemCase& fem) {
-  return fem.kind == ContactKind::discs && !fem.without_short_cycle && !fem.motion.path &&
-         fem.motion.tangential_amplitude() > 0;
-}
-
-/// Refines until the response to the normal motion is proved, which takes no friction. At the resolution of the case
-/// the whole computations tell its errors, unless one of them fails: most cases are proved with these and need no
-/// others. Returns the resolution, and the number of refinements.
-std::pair<Resolution, int> prove_normal_response(const PreparedCase& prepared, Computations& whole,
-                                                 Computations& without_friction) {
-  auto resolution = prepared.fem.resolution;
-  for (int n = 0;; ++n) {
-    const auto needed = needed_for_bars({resolution, {}}, needs_of(prepared.fem));
-    const bool is_known = n == 0 && all_succeed(needed, whole);
-    auto& computed = is_known ? whole : without_friction;
-    computed.compute(needed);
-    if (computed.failed(resolution)) return {prepared.fem.resolution, 0};
-    std::vector<BarToMeet> bars;
-    for (const auto& [quantity, bar] : error_bars_of_normal_response(prepared, resolution, computed))
-      bars.push_back(to_meet(prepared, quantity, bar));
-    const auto next =
-        n < most_refinements ? finer(prepared, computed.at(resolution).fe, resolution, bars) : std::nullopt;
-    if (!next) return {resolution, n};
-    resolution = *next;
-  }
-}
-
 /// Empty: all bars meet their tolerances, or nothing can be refined that would help.
 std::optional<Tracks> finer(const PreparedCase& prepared, const Computations& computed, const Tracks& tracks,
                             BarShares shares) {
@@ -165,11 +127,7 @@ int refine_until_proved(const PreparedCase& prepared, Computations& computed, Tr
     auto next = holds ? next_for(BarShares::of_rings) : std::nullopt;
     if (!next) holds = holds && measure_errors(prepared, computed, tracks, BarShares::all);
     if (!holds) {
-      if (!before) {
-        if (tracks.base == prepared.fem.resolution) return n;
-        tracks = {prepared.fem.resolution, {}};
-        continue;
-      }
+      if (!before) return n;
       for (const auto& track : tracks.all())
         if (computed.failed(track))
           log::detail(fmt::format("{}: taken back: {}", prepared.input.name, computed.at(track).failure));
@@ -211,24 +169,20 @@ ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies,
                    const ComputationsDone& told) {
   const auto& fem = prepared.fem;
   const auto whole = [&](const Resolution& resolution) { return compute_case(fem, resolution, bodies); };
-  const auto normal = [&](const Resolution& resolution) { return compute_normal_response(fem, resolution, bodies); };
-  return prove(prepared, proof, {whole, has_normal_response(fem) ? Compute(normal) : Compute()}, n_threads, told);
+  return prove(prepared, proof, whole, n_threads, told);
 }
 
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads,
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads,
                    const ComputationsDone& told) {
-  Computations computed(prepared.fem.units, numerics.whole, n_threads, told),
-      normal(prepared.fem.units, numerics.normal_response, n_threads);
+  Computations computed(prepared.fem.units, compute, n_threads, told);
   Tracks tracks{prepared.fem.resolution, {}};
   ProvedAnswer answer;
-  if (proof == Proof::tolerance && numerics.normal_response)
-    std::tie(tracks.base, answer.n_refinements) = prove_normal_response(prepared, computed, normal);
   if (proof == Proof::none) computed.compute(tracks.all());
   if (proof == Proof::bars) computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
-  if (proof == Proof::tolerance) answer.n_refinements += refine_until_proved(prepared, computed, tracks);
+  if (proof == Proof::tolerance) answer.n_refinements = refine_until_proved(prepared, computed, tracks);
 
   answer.resolution = tracks.base;
-  answer.cost = Computations::cost_of({&computed, &normal});
+  answer.cost = computed.cost();
   const auto& base = computed.at(tracks.base).fe;
   if (base.as<GrossSlipStart>()) {
     answer.fe = base;

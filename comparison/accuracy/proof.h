@@ -33,8 +33,7 @@ struct ProvedAnswer {
 
 /// Computes a case and proves the answer, without a look at what MDR says:
 ///
-/// 1. the coarsest resolution that is usually enough (resolution_for) is refined as in step 4 until the response to the
-///    normal motion is proved, which needs no friction and is shared by cases with the same normal motion;
+/// 1. it begins with the coarsest resolution that is usually enough (resolution_for);
 /// 2. a stick zone or a slip annulus of too few rings is focused on (closer_look); where the rings of the focus were
 ///    less than four times finer, step 4 gets there at a lower cost, unless the bar turns out to be more than 15
 ///    tolerances;
@@ -47,14 +46,8 @@ struct ProvedAnswer {
 ProvedAnswer prove(const PreparedCase& prepared, Proof proof, BodyStore& bodies, std::size_t n_threads = n_cores(),
                    const ComputationsDone& told = {});
 
-/// Functions that compute a case.
-struct Numerics {
-  Compute whole;
-  Compute normal_response = {};  ///< the response to the normal motion alone; empty: it is not proved by itself
-};
-
-/// Proves the answer to a case with other functions that compute it.
-ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Numerics& numerics, std::size_t n_threads = 1,
+/// Proves the answer to a case with another function that computes it.
+ProvedAnswer prove(const PreparedCase& prepared, Proof proof, const Compute& compute, std::size_t n_threads = 1,
                    const ComputationsDone& told = {});
 
 }  // namespace fretval

@@ -85,18 +85,4 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   return answer;
 }
 
-FeAnswer compute_normal_response(const FemCase& fem_case, const Resolution& resolution, BodyStore& bodies) {
-  const FemCase fem = at_resolution(fem_case, resolution);
-  const auto body = find_or_make_body(fem.body, bodies, nullptr);
-  const auto normal = normal_part(problems_of(*body), fem, bodies.normals);
-  FeAnswer answer;
-  const auto& history = normal.record->history;
-  read_normal_response(problems_of(*body), fem, normal.contact_radius, history, answer);
-  answer.n_cycles = history.n_cycles + history.n_cycles_of_search;
-  answer.n_steps = history.n_steps();
-  answer.seconds.normal = normal.record->seconds;
-  answer.body = body->summary;
-  return answer;
-}
-
 }  // namespace fretval

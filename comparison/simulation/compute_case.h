@@ -10,8 +10,4 @@ namespace fretval {
 /// the friction, so it comes first. Throws fem::SolverError and meshes::MeshError where the numerics fail.
 FeAnswer compute_case(const FemCase& fem, const Resolution& resolution, BodyStore& bodies);
 
-/// An answer without the friction: contact radius, normal force, pressure and indentation alone. Its normal history is
-/// the one that compute_case takes.
-FeAnswer compute_normal_response(const FemCase& fem, const Resolution& resolution, BodyStore& bodies);
-
 }  // namespace fretval

@@ -52,7 +52,7 @@ TEST(Computations, AddUpWhatAllOfThemCost) {
       1, [&](int n_done, int n_known) { told.emplace_back(n_done, n_known); });
   computed.compute({coarse});
   computed.compute({coarse, fine, with_rings(fine, 2)});
-  const auto cost = Computations::cost_of({&computed}) + ProofCost{1, 10, 2, 0.5, {2, 1}};
+  const auto cost = computed.cost() + ProofCost{1, 10, 2, 0.5, {2, 1}};
   EXPECT_EQ(cost.computations, 4);
   EXPECT_EQ(cost.time_steps, 10L * (coarse.steps_per_cycle + 2L * fine.steps_per_cycle) + 10);
   EXPECT_EQ(cost.cycles, 23);

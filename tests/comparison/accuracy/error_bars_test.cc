@@ -66,8 +66,6 @@ TEST(ErrorBars, HaveWhatAHalfSpaceLeavesOpenOfTheEdges) {
   computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
   const auto bars = error_bars(prepared, {resolution, {}}, computed, Borders::left_out);
   EXPECT_NEAR(bars.at(Quantity::contact_radius_max).total(), 1e-5, 1e-15);
-  EXPECT_NEAR(error_bars_of_normal_response(prepared, resolution, computed).at(Quantity::contact_radius_max).total(),
-              1e-5, 1e-15);
 }
 
 TEST(ErrorBars, CoverTheErrorsThatAreThere) {

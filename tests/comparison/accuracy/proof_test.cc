@@ -1,6 +1,5 @@
 #include "comparison/accuracy/proof.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +112,7 @@ end
 }
 
 ProvedAnswer fake_study(const PreparedCase& prepared, const FakeNumerics& numerics, Proof proof = Proof::tolerance) {
-  return prove(prepared, proof, {fake_compute(prepared, numerics)});
+  return prove(prepared, proof, fake_compute(prepared, numerics));
 }
 
 // Hertz: nothing moves, nothing slips, and there is no slip annulus to look for at the edge.
@@ -171,68 +170,6 @@ TEST(Proof, TakesARefinementBackThatFails) {
   EXPECT_EQ(answer.failure, "");
   EXPECT_EQ(answer.resolution.elements_per_radius, start);
   EXPECT_GT(answer.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
-}
-
-/// A proof of numerics whose normal force has an error of the second order in the time step, and which fail at one
-/// resolution where friction is computed.
-struct ProofWithNormalResponse {
-  const PreparedCase& prepared;
-  double error;  ///< of the normal force, with the steps that the case begins with
-  std::optional<Resolution> failing = {};
-  std::vector<Resolution> whole = {}, without_friction = {};
-
-  FeAnswer at(const Resolution& r) const {
-    auto fe = FakeNumerics{0.1, 0.01}(prepared.fem, r);
-    const double steps = static_cast<double>(r.steps_per_cycle) / prepared.fem.resolution.steps_per_cycle;
-    fe.normal_force_max *= 1 + error / steps / steps;
-    return fe;
-  }
-  ProvedAnswer prove() {
-    const auto with_friction = [this](const Resolution& r) {
-      whole.push_back(r);
-      if (r == failing) throw fem::SolverError("too many steps");
-      return at(r);
-    };
-    const auto normal = [this](const Resolution& r) {
-      without_friction.push_back(r);
-      return at(r);
-    };
-    return fretval::prove(prepared, Proof::tolerance, {with_friction, normal}, 1);
-  }
-};
-
-TEST(Proof, NeedsNothingBesidesTheWholeComputationsWhereTheyMeet) {
-  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
-  ProofWithNormalResponse proof{prepared, 1e-6};
-  EXPECT_EQ(proof.prove().n_refinements, 0);
-  EXPECT_THAT(proof.without_friction, testing::IsEmpty());
-}
-
-// A finer resolution for the normal response is looked for without friction, which is computed at the one that is
-// found, or where it fails there, at what the case begins with.
-TEST(Proof, RefinesForTheNormalResponseWithoutFriction) {
-  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
-  const auto& start = prepared.fem.resolution;
-  const auto fine = with_steps(start, 1.5);
-  for (const auto& failing : {std::optional<Resolution>(), std::optional(fine)}) {
-    ProofWithNormalResponse proof{prepared, 1.2e-4, failing};
-    const auto answer = proof.prove();
-    EXPECT_EQ(answer.failure, "");
-    EXPECT_EQ(answer.resolution, failing ? start : fine);
-    EXPECT_THAT(proof.without_friction, testing::Contains(fine));
-    EXPECT_THAT(proof.without_friction, testing::Not(testing::Contains(start)));
-  }
-}
-
-// Where friction fails at what the case begins with, the normal response is known all the same.
-TEST(Proof, RefinesForTheNormalResponseThoughFrictionFails) {
-  const auto prepared = prepare({suite_case("parabola-solid-90", 1e-3)}).front();
-  const auto& start = prepared.fem.resolution;
-  ProofWithNormalResponse proof{prepared, 1.2e-4, start};
-  const auto answer = proof.prove();
-  EXPECT_EQ(answer.failure, "");
-  EXPECT_EQ(answer.resolution, with_steps(start, 1.5));
-  EXPECT_THAT(proof.without_friction, testing::Contains(start));
 }
 
 TEST(Proof, NamesAFailureOfTheNumerics) {
