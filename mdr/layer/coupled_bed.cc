@@ -2,8 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "mdr/support/constants.h"
@@ -11,6 +13,8 @@
 namespace fretval::mdr {
 
 namespace {
+
+constexpr Eigen::Index springs_of_block = 16;
 
 // Orthonormal columns over the springs that hold cos(kx) to roundoff for all waves of the kernel: even Chebyshev
 // polynomials of x over the length, of which a wave has the amounts J_2p(k length), nothing beyond its turns. Where
@@ -30,6 +34,31 @@ Eigen::MatrixXd basis_of_waves(const LayerKernel& kernel, const SpringBed& bed) 
 
 }  // namespace
 
+LayerModes::LayerModes(Eigen::MatrixXd shape_of_springs, Eigen::ArrayXd strength_of_modes)
+    : shape(std::move(shape_of_springs)),
+      strength(std::move(strength_of_modes)),
+      pulled(shape * strength.matrix().asDiagonal()) {
+  for (Eigen::Index first = 0; first < shape.rows(); first += springs_of_block) {
+    const Eigen::Index n = std::min(springs_of_block, shape.rows() - first);
+    response_of_block_.emplace_back(shape.middleRows(first, n).transpose() * pulled.middleRows(first, n));
+  }
+}
+
+Eigen::MatrixXd LayerModes::response(const Eigen::ArrayXd& give) const {
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(strength.size(), strength.size());
+  Eigen::Index first = 0;
+  for (const auto& of_block : response_of_block_) {
+    const auto own = give.segment(first, std::min(springs_of_block, give.size() - first));
+    if ((own != own[0]).any())
+      sum.noalias() += shape.middleRows(first, own.size()).transpose() *
+                       (own.matrix().asDiagonal() * pulled.middleRows(first, own.size()));
+    else if (own[0] != 0)
+      sum += own[0] * of_block;
+    first += own.size();
+  }
+  return sum;
+}
+
 LayerModes layer_modes(const LayerKernel& kernel, const SpringBed& bed) {
   const double width = bed.width[0];
   if ((bed.width - width).abs().maxCoeff() > 1e-9 * width)
@@ -44,16 +73,17 @@ LayerModes layer_modes(const LayerKernel& kernel, const SpringBed& bed) {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index m = 0; m < all.eigenvalues().size(); ++m)
     if (std::abs(all.eigenvalues()[m]) > roundoff) kept.push_back(m);
-  LayerModes modes{Eigen::MatrixXd(bed.position.size(), kept.size()), Eigen::ArrayXd(kept.size())};
+  Eigen::MatrixXd shape(bed.position.size(), kept.size());
+  Eigen::ArrayXd strength(kept.size());
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    modes.shape.col(static_cast<Eigen::Index>(k)) = basis * all.eigenvectors().col(kept[k]);
-    modes.strength[static_cast<Eigen::Index>(k)] = all.eigenvalues()[kept[k]];
+    shape.col(static_cast<Eigen::Index>(k)) = basis * all.eigenvectors().col(kept[k]);
+    strength[static_cast<Eigen::Index>(k)] = all.eigenvalues()[kept[k]];
   }
-  return modes;
+  return {std::move(shape), std::move(strength)};
 }
 
 Eigen::ArrayXd coupling(const LayerModes& modes, const Eigen::ArrayXd& load) {
-  return (modes.shape * (modes.strength.matrix().asDiagonal() * (modes.shape.transpose() * load.matrix()))).array();
+  return (modes.pulled * (modes.shape.transpose() * load.matrix())).array();
 }
 
 CoupledBed coupled_bed(const SpringBed& springs, const Layer& layer) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "mdr/layer/layer_kernel.h"
 #include "mdr/springs/spring_bed.h"
@@ -16,8 +17,18 @@ namespace fretval::mdr {
 /// matrix is symmetric, so that what springs do to each other conserves energy; its error is of second order in the
 /// width of the springs, like their own.
 struct LayerModes {
+  LayerModes(Eigen::MatrixXd shape, Eigen::ArrayXd strength);
+
   Eigen::MatrixXd shape;    ///< springs x modes, orthonormal
   Eigen::ArrayXd strength;  ///< above -1, so that depths determine the loads
+  Eigen::MatrixXd pulled;   ///< springs x modes, shape times strength: the coupling by each mode
+
+  /// What springs that give by g_j do to the modes, sum_j shape_jm g_j pulled_jn. Neighbours mostly give by the same;
+  /// their part is known, so that it takes modes^2 for each 16 of them.
+  [[nodiscard]] Eigen::MatrixXd response(const Eigen::ArrayXd& give) const;
+
+ private:
+  std::vector<Eigen::MatrixXd> response_of_block_;  // to a give of 1 of 16 neighbours
 };
 
 /// The modes of a bed of springs of equal width. Throws std::invalid_argument for springs of unequal widths.

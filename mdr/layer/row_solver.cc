@@ -19,7 +19,6 @@ class Newton {
   Newton(const LayerModes& modes, const RowProblem& problem, const Eigen::ArrayXd& before, double y)
       : modes_(modes),
         problem_(problem),
-        pulled_(modes.shape * modes.strength.matrix().asDiagonal()),
         share_(modes.shape.transpose() * before.matrix()),
         y_(y),
         load_(before.size()),
@@ -45,14 +44,10 @@ class Newton {
   }
 
   [[nodiscard]] RowSolution solution() const { return {load_, rim_load_, coupling_, y_}; }
-  void move_to(double y) {
-    y_ = y;
-    update();
-  }
 
  private:
   void update() {
-    coupling_ = (pulled_ * share_).array();
+    coupling_ = (modes_.pulled * share_).array();
     has_rim_ = false;
     for (Eigen::Index j = 0; j < load_.size(); ++j) {
       const double stretch = problem_.stretch[j], lower = problem_.lower[j], upper = problem_.upper[j];
@@ -64,6 +59,8 @@ class Newton {
       const double above = load - lower, fall = problem_.fall[j], within = fall / 2 - std::abs(above);
       if (within > 0) add_rim(j, within, above < 0 ? within / fall : -within / fall);
     }
+    all_loads_ = (load_ + rim_load_).matrix();
+    rest_ = modes_.shape.transpose() * all_loads_ - share_;
   }
 
   void add_rim(Eigen::Index spring, double within, double give) {
@@ -72,29 +69,21 @@ class Newton {
     give_[spring] += give / problem_.stretch[spring];
   }
 
-  [[nodiscard]] Eigen::VectorXd all_loads() const { return (load_ + rim_load_).matrix(); }
-
   // A spring on the verge of its limit may go to and fro across it for ever, by roundoff.
   [[nodiscard]] bool is_solved(std::optional<double> sum, double tolerance) const {
-    const Eigen::VectorXd all = all_loads();
-    const double scale = tolerance * all.norm(), n = static_cast<double>(load_.size());
-    return (modes_.shape.transpose() * all - share_).norm() <= scale &&
-           (!sum || std::abs(*sum - all.sum()) <= scale * std::sqrt(n));
+    const double scale = tolerance * all_loads_.norm(), n = static_cast<double>(load_.size());
+    return rest_.norm() <= scale && (!sum || std::abs(*sum - all_loads_.sum()) <= scale * std::sqrt(n));
   }
 
   bool advance(std::optional<double> sum, double damping) {
     const Eigen::Index n = share_.size(), n_all = n + (sum ? 1 : 0);
     Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(n_all, n_all);
+    slope.topLeftCorner(n, n) += modes_.response(give_);
     Eigen::VectorXd rest(n_all);
-    const Eigen::VectorXd all = all_loads();
-    rest.head(n) = modes_.shape.transpose() * all - share_;
-    const auto [first, n_giving] = range_that_gives();
-    slope.topLeftCorner(n, n).noalias() +=
-        modes_.shape.middleRows(first, n_giving).transpose() *
-        (give_.segment(first, n_giving).matrix().asDiagonal() * pulled_.middleRows(first, n_giving));
+    rest.head(n) = rest_;
     if (sum) {
-      rest[n] = *sum - all.sum();
-      slope.bottomLeftCorner(1, n) = -(give_.matrix().transpose() * pulled_);
+      rest[n] = *sum - all_loads_.sum();
+      slope.bottomLeftCorner(1, n) = -(give_.matrix().transpose() * modes_.pulled);
       slope.topRightCorner(n, 1) = -(modes_.shape.transpose() * (give_ * problem_.slope).matrix());
       slope(n, n) = (give_ * problem_.slope).sum();
       if (slope(n, n) <= 0) return false;
@@ -109,22 +98,14 @@ class Newton {
     return true;
   }
 
-  // The first spring whose load gives, and how many there are up to the last one.
-  [[nodiscard]] std::pair<Eigen::Index, Eigen::Index> range_that_gives() const {
-    Eigen::Index first = 0, end = give_.size();
-    while (first < end && give_[first] == 0) ++first;
-    while (end > first && give_[end - 1] == 0) --end;
-    return {first, end - first};
-  }
-
   const LayerModes& modes_;
   const RowProblem& problem_;
-  Eigen::MatrixXd pulled_;
   Eigen::VectorXd share_;  // of all loads in each mode
   double y_;
   Eigen::ArrayXd coupling_, load_, rim_load_;
-  Eigen::ArrayXi at_limit_;  // -1 lower, 1 upper, 0 between
-  Eigen::ArrayXd give_;      // of both loads, by what the equation has on its right
+  Eigen::VectorXd all_loads_, rest_;  // rest: of the share of the loads in each mode
+  Eigen::ArrayXi at_limit_;           // -1 lower, 1 upper, 0 between
+  Eigen::ArrayXd give_;               // of both loads, by what the equation has on its right
   bool has_rim_;
 };
 

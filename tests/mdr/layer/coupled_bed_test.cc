@@ -45,6 +45,20 @@ TEST(CoupledBed, ModesOfManySpringsAreTheSumOfTheWaves) {
   }
 }
 
+// Springs that all give alike, do not give, or give each in its own way; some number that no block divides.
+TEST(CoupledBed, ModesRespondToSpringsThatGive) {
+  const Eigen::Index n = 77;
+  const LayerModes modes = coupled_bed(spring_bed(parabola(1), 1.2, n), layer).normal;
+  Eigen::ArrayXd give = Eigen::ArrayXd::Constant(n, 0.7);
+  give.segment(20, 7) = Eigen::ArrayXd::LinSpaced(7, -1, 1);
+  give.segment(30, 40) = 0;
+  give[76] = 3;
+  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(modes.strength.size(), modes.strength.size());
+  for (Eigen::Index j = 0; j < n; ++j)
+    expected += give[j] * modes.shape.row(j).transpose() * modes.shape.row(j) * modes.strength.matrix().asDiagonal();
+  EXPECT_LT((modes.response(give) - expected).norm(), 1e-14);
+}
+
 TEST(CoupledBed, FewModesHoldItAndAllLetDepthsGiveLoads) {
   for (const Eigen::Index n : {50, 200}) {
     const CoupledBed bed = coupled_bed(spring_bed(parabola(1), 1.2, n), layer);
