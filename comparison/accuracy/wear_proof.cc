@@ -276,9 +276,8 @@ bool may_still_reach(const PreparedCase& prepared, const WearLimit& limit) {
 }  // namespace
 
 bool ProvedWear::ends_in_limit() const {
-  constexpr double nothing = 1e-2;  // a contact that sticks throughout bears tens of percent there
   const auto end = fe.course.end;
-  return (end == fem::WearEnd::rate || end == fem::WearEnd::nothing_left) && pressed_outside < nothing;
+  return (end == fem::WearEnd::rate || end == fem::WearEnd::nothing_left) && pressed_outside < fem::as_good_as_nothing;
 }
 
 bool wears(const PreparedCase& prepared) {

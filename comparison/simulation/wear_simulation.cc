@@ -8,6 +8,7 @@
 #include "comparison/support/stopwatch.h"
 #include "fem/ring_contact/stencil.h"
 #include "fem/support/constants.h"
+#include "fem/wear/ring_widths.h"
 #include "fem/wear/rubbing_rings.h"
 
 namespace fretval {
@@ -59,11 +60,6 @@ void read_outer_edge(const Eigen::VectorXd& areas, WearSimulation& wear) {
 
 }  // namespace
 
-RingWidths rings_at(const std::vector<double>& radii, double radius) {
-  const auto outer = std::upper_bound(radii.begin(), radii.end(), radius), at = outer - 1;
-  return {at == radii.begin() ? 0 : at[0] - at[-1], outer == radii.end() ? 0 : outer[0] - at[0]};
-}
-
 Resolution resolution_for_wear(const Resolution& of_the_case) {
   constexpr unsigned rings = 64, degree = 5;
   constexpr int steps = 144;
@@ -84,7 +80,7 @@ WornEdge edge_of_wear(const FemCase& fem, const Case::WearKinetics& wear, double
     const auto made = simulate_wear(fem, wear, edge, coarse, bodies, {run.checkpoints});
     const double stick_radius = made.course.curve.back().stick_radius;
     return WearPass{made.course.end, made.course.last.largest_indentation, stick_radius,
-                    rings_at(made.radii, stick_radius).outside};
+                    fem::rings_at(made.radii, stick_radius).outside};
   });
 }
 

@@ -26,12 +26,6 @@ struct WearSimulation {
   double seconds = 0;
 };
 
-/// Widths of the rings inside and outside of one of their radii; 0 where there is no ring.
-struct RingWidths {
-  double inside, outside;
-};
-RingWidths rings_at(const std::vector<double>& radii, double radius);
-
 /// The resolution that shows a worn profile to less than a thousandth of the largest indentation.
 ///
 /// At the stick radius pressure and traction become singular, and whether a ring there still sticks is decided by the

@@ -9,6 +9,7 @@
 #include "fem/ring_contact/static_contact.h"
 #include "fem/ring_contact/stencil.h"
 #include "fem/support/constants.h"
+#include "fem/wear/ring_widths.h"
 
 namespace fretval::fem {
 namespace {
@@ -26,11 +27,10 @@ bool sticks(const WearingContact::Period& last, Index ring) {
 
 /// Whether what slips, or opens in a cycle, bears next to nothing.
 bool ends_in_stick(const VectorXd& areas, const WearCourse& course) {
-  constexpr double nothing = 1e-2;
   double slipping = 0;
   for (Index i = 0; i < areas.size(); ++i)
     if (!sticks(course.last, i)) slipping += areas[i] * course.last.largest_pressure[i];
-  return slipping < nothing * areas.dot(course.first.largest_pressure);
+  return slipping < as_good_as_nothing * areas.dot(course.first.largest_pressure);
 }
 
 /// Depths of the n innermost rings, a column for each instant. With a prescribed force each is that of the edge of a
@@ -137,11 +137,10 @@ VectorXd carried_over(const WornContact& contact, const VectorXd& unworn, const 
 EndOfWear end_of_wear(const WornContact& contact, const VectorXd& unworn, const WearCourse& course) {
   const auto& compliance = contact.normal.compliance;
   const auto whole_rings = [&]() -> EndOfWear {
-    const auto& radii = compliance.radii;
     const double radius = course.curve.back().stick_radius;
-    const auto next = std::upper_bound(radii.begin(), radii.end(), radius), at = next - 1;
     if (radius == 0) return {{0, 0}, course.worn.back()};
-    return {{radius, std::max(at[0] - at[-1], next == radii.end() ? 0 : next[0] - at[0])}, course.worn.back()};
+    const auto [inside, outside] = rings_at(compliance.radii, radius);
+    return {{radius, std::max(inside, outside)}, course.worn.back()};
   };
   Index n = 0;
   while (n < compliance.areas.size() && sticks(course.last, n)) ++n;

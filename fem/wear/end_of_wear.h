@@ -19,6 +19,10 @@ struct WornContact {
   double friction_coefficient;
 };
 
+/// Share of the normal force that is as good as nothing: what wears no more bears no more than that outside of what
+/// sticks, where an unworn contact bears tens of percent.
+constexpr double as_good_as_nothing = 1e-2;
+
 /// Where wear ends, to a share of a ring.
 struct EndOfWear {
   EdgeRadius stick;        ///< radius of what sticks; 0: nothing

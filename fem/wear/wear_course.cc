@@ -14,8 +14,8 @@
 namespace fretval::fem {
 namespace {
 
-constexpr double shortest_jump =
-    0.05;                             // share of the largest: the first one, and the last one before the contact slides
+/// Over the largest jump: the first one, and the last one before the contact slides.
+constexpr double shortest_jump = 0.05;
 constexpr double largest_growth = 3;  // of one jump over the last one
 constexpr double too_much = 2;        // of the largest jump
 

@@ -31,17 +31,6 @@ WearSimulation worn_by(const std::string& wear, double stick_radius = 0.594, con
   return simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {stick_radius, 1.5}, coarse(), shared_bodies());
 }
 
-TEST(WearSimulation, RingsMeetAtTheirRadii) {
-  const std::vector<double> radii{0, 0.5, 0.75, 1};
-  const auto widths = [&](double radius) {
-    const auto [inside, outside] = rings_at(radii, radius);
-    return std::pair(inside, outside);
-  };
-  EXPECT_EQ(widths(0), std::pair(0.0, 0.5));
-  EXPECT_EQ(widths(0.5), std::pair(0.5, 0.25));
-  EXPECT_EQ(widths(1), std::pair(0.25, 0.0));
-}
-
 // The limiting profile of the parabola (docs/theory.md): f_inf = f0 at a_inf/a0 = 1.2298 for c = 0.5 a0, 1.1429 for
 // 0.7; by interpolation in c^2 1.1898. Read to third order in the rings of 1/24.
 TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
