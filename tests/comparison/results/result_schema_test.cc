@@ -6,6 +6,7 @@
 #include "tests/comparison/damaged_case.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
+#include "tests/comparison/wearing_case.h"
 
 namespace fretval::result_schema_test {
 namespace {
@@ -21,7 +22,7 @@ std::string said_of(const std::vector<fs::path>& files, const ScratchFolder& fol
 }
 
 /// Every kind of result: with bars, beyond MDR, of a sweep, unlocked, limiting, with forces, gross slip, with
-/// harmonics, worn, along a path, also of forces, of data and beside what was measured.
+/// harmonics, worn, along a path, also of forces, of data and beside what was measured, worn by friction as a vector.
 fs::path run_of_every_kind(const ScratchFolder& folder) {
   const auto elastic = elastic_case();
   const auto limiting = "subsection Wear\n  set State = limiting\n  set Stick radius ratio = 0.5\nend\n";
@@ -38,6 +39,8 @@ fs::path run_of_every_kind(const ScratchFolder& folder) {
   folder.write("gross.prm", with_force("10 N"));
   folder.write("harmonics.prm",
                replace(elastic, "Phase = 60", "Phase = 60\n  set Normal harmonics = 5 um, 2 Hz, 0 deg"));
+  folder.write("circle.prm",
+               replace(wearing_in_a_circle_text(), "Coefficient = 1e-12", "Coefficient = 1e-12\n  set Cycles = 100"));
   folder.write("worn.prm", elastic + "subsection Wear\n  set Coefficient = 1e-12\n  set Cycles = 100\nend\n");
   const auto begin = elastic.find("subsection Motion"), end = elastic.find("subsection Accuracy");
   folder.write("path.csv", "t,d,u_x\ns,um,um\n0,100,0\n1,120,8\n2,100,0\n");
@@ -70,7 +73,7 @@ TEST(ResultSchema, HoldsForEveryKindOfResult) {
   std::vector<fs::path> results;
   for (const auto& entry : fs::recursive_directory_iterator(run_of_every_kind(folder)))
     if (entry.path().filename() == "result.json") results.push_back(entry.path());
-  EXPECT_EQ(results.size(), 16U);
+  EXPECT_EQ(results.size(), 17U);
   EXPECT_EQ(said_of(results, folder), "");
 }
 
