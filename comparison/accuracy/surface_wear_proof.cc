@@ -111,8 +111,8 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   if (!wear.failure.empty() || proof == Proof::none) return wear;
   for (std::size_t i = 1; i < made.size(); ++i) {
     if (made[i].fe.course.end == wear.fe.course.end) continue;
-    log::warn(fmt::format("{}: wear ends in another way with another resolution ({}): it has no error bars",
-                          prepared.input.name, change_text(wear.resolution, wanted[i])));
+    log::warn(fmt::format("{}: wear ends in another way where the {} is coarser: it has no error bars",
+                          prepared.input.name, name_of(coarser[i - 1].source)));
     return wear;
   }
   wear.is_proved = true;

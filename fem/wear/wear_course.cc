@@ -128,8 +128,8 @@ void begin(WearState& state, const WearControl& control) {
 
 /// Why the course would end now; nothing_left: it goes on, unless nothing wears any more.
 WearEnd end_by_course(const WearCourse& course, const WearControl& control) {
-  if (course.curve.back().volume_rate <= control.rate_fallen_to * course.curve.front().volume_rate)
-    return WearEnd::rate;
+  const double share = control.rate_fallen_to;
+  if (share > 0 && course.curve.back().volume_rate <= share * course.curve.front().volume_rate) return WearEnd::rate;
   return is_progressive(course) ? WearEnd::progressive : WearEnd::nothing_left;
 }
 
@@ -151,7 +151,8 @@ void wear_on(WearState& state, const WearControl& control, const WearObserver& a
     course.largest_jump_error = std::max(course.largest_jump_error, error);
     next = cycles * std::min(control.largest_jump / deepest, largest_growth);
     course.end = cycles >= left ? WearEnd::cycles : end_by_course(course, control);
-    goes_on = course.end == WearEnd::nothing_left && (cycles < done || deepest > control.accuracy) &&
+    goes_on = course.end == WearEnd::nothing_left && course.curve.back().volume_rate > 0 &&
+              (cycles < done || deepest > control.accuracy) &&
               !wears_by_roundoff(contact, cycles, control.largest_jump);
     if (after_jump) after_jump(state);
   }

@@ -11,7 +11,7 @@ namespace fretval::fem {
 /// How far and how finely wear is followed.
 struct WearControl {
   double most_cycles;     ///< of the motion; may be infinite
-  double rate_fallen_to;  ///< ends when the volume worn off in a cycle has fallen to this share of the first
+  double rate_fallen_to;  ///< ends when the volume worn off in a cycle has fallen to this share of the first; 0: never
   double largest_jump;    ///< worn depth of a jump
   double accuracy;        ///< of worn depths: less than that counts as nothing
 };

@@ -210,6 +210,14 @@ TEST(WearCourse, EndsWhereItIsTold) {
   EXPECT_EQ(never.curve.size(), 1u);
 }
 
+// By a law of less than the first power the last pressures are worn off altogether, so that points lose nothing.
+TEST(WearCourse, EndsByItsRateOnlyWhereThatIsAskedFor) {
+  const WearingHalfSpace half_space;
+  const auto course = half_space.course({archard.coefficient, 0.5});
+  EXPECT_EQ(course.curve.back().volume_rate, 0);
+  EXPECT_EQ(course.end, WearEnd::nothing_left);
+}
+
 // As many cycles again as there have been have to wear off nothing before nothing is left.
 TEST(WearCourse, GoesOnAfterAShortJumpThatWearsOffNothing) {
   const WearingHalfSpace half_space;
