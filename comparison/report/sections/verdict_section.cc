@@ -71,7 +71,8 @@ Badge badge_of(const std::map<Outcome, std::size_t>& counts) {
   if (has(Outcome::disagree)) return {"bad", "not confirmed"};
   if (has(Outcome::not_resolved)) return {"maybe", "not resolved"};
   if (has(Outcome::not_proved)) return {"maybe", "not proved"};
-  return has(Outcome::agree) ? Badge{"good", "confirmed"} : Badge{"maybe", "not compared"};
+  if (has(Outcome::agree)) return {"good", "confirmed"};
+  return {"maybe", has(Outcome::other_model) ? "another model" : "not compared"};
 }
 
 /// "In 11 of 13 cases all that was asked for agrees with the method of dimensionality reduction (MDR); 2 not resolved."
@@ -80,7 +81,7 @@ std::string counts_sentence(const std::map<Outcome, std::size_t>& counts, std::s
     const auto found = counts.find(outcome);
     return found == counts.end() ? std::size_t{0} : found->second;
   };
-  const auto n_compared = n - count(Outcome::not_compared);
+  const auto n_compared = n - count(Outcome::not_compared) - count(Outcome::other_model);
   if (n_compared == 0) return "";
   auto text = fmt::format("In {} of {} all that was asked for agrees with the method of dimensionality reduction (MDR)",
                           count(Outcome::agree), counted(n_compared, "case"));
@@ -150,6 +151,9 @@ Filling verdict_section(const Results& results) {
     return filling;
   }
   filling["sentence"] = counts_sentence(counts, results.size());
+  if (const auto other = counts.find(Outcome::other_model); other != counts.end())
+    filling["sentence"] = fmt::format("{} {} of another model than that of MDR: differences are what MDR is off by.",
+                                      filling["sentence"].get<std::string>(), were(other->second));
   if (const auto beyond = counts.find(Outcome::not_compared); beyond != counts.end())
     filling["sentence"] = fmt::format("{} {} not compared, because MDR does not hold for the profile.",
                                       filling["sentence"].get<std::string>(), were(beyond->second));

@@ -60,6 +60,16 @@ TEST(Verdicts, AreNoWorseAndNoBetterThanWhatIsKnown) {
   EXPECT_EQ(verdicts_of({bare}).find("tolerance"), std::string::npos) << "what is not proved is held to none";
 }
 
+// Beyond MDR's model a difference is no disagreement, and small ones confirm nothing.
+TEST(Verdicts, OfAnotherModelSayByHowMuchMdrIsOff) {
+  const auto other = line_with("one/a", 7e-2, Outcome::other_model), good = line_with("one/b", 2e-4, Outcome::agree);
+  expect_parts(verdicts_of({other}),
+               {"other model  one ", "MDR computes another model in 1; MDR is off most: stick radius"});
+  EXPECT_EQ(verdicts_of({other}).find("agree"), std::string::npos);
+  expect_parts(verdicts_of({other, good}),
+               {"agree        one ", "  1 of   1 agree, MDR computes another model in 1; "});
+}
+
 TEST(Verdicts, ComeAfterTheValues) {
   auto line = line_with("family/1", 1e-4, Outcome::agree);
   line.json = stored_result().dump();

@@ -53,6 +53,16 @@ TEST(VerdictSection, CountsCasesThatAgree) {
   expect_parts(rendered(verdict_section({bare})), {"badge maybe", ">not proved<"});
 }
 
+TEST(VerdictSection, CountsCasesOfAnotherModelApart) {
+  auto other = proved("bars");
+  other.json["verdict"] = "other model";
+  const auto alone = rendered(verdict_section({other, other}));
+  expect_parts(alone, {"badge maybe", ">another model<", "2 cases are of another model than that of MDR"});
+  EXPECT_EQ(alone.find("agrees with"), std::string::npos) << alone;
+  expect_parts(rendered(verdict_section({other, proved("bars")})),
+               {"badge good", "In 1 of 1 case all that was asked for agrees", "1 case is of another model"});
+}
+
 TEST(VerdictSection, OfManyBeginsWithTheValuesOfBoth) {
   auto second = proved("bars");
   second.json["name"] = "family/phase-60";
