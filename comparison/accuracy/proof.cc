@@ -21,8 +21,9 @@ constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, t
 constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
 
-bool any_failed(const std::vector<Resolution>& resolutions, const Computations& computed) {
-  return std::any_of(resolutions.begin(), resolutions.end(), [&](const Resolution& r) { return computed.failed(r); });
+bool any_failed(const Tracks& tracks, const Computations& computed) {
+  const auto all = tracks.all();
+  return std::any_of(all.begin(), all.end(), [&](const Resolution& r) { return computed.failed(r); });
 }
 
 bool focus_on_unresolved_edges(const PreparedCase& prepared, const Computations& computed, Tracks& tracks) {
@@ -48,7 +49,7 @@ bool focus_on_what_is_hopeless(const PreparedCase& prepared, const Computations&
 bool measure_errors(const PreparedCase& prepared, Computations& computed, Tracks& tracks, BarShares shares) {
   while (true) {
     computed.compute(tracks.all());
-    if (any_failed(tracks.all(), computed)) return false;
+    if (any_failed(tracks, computed)) return false;
     if (focus_on_unresolved_edges(prepared, computed, tracks)) continue;
     computed.compute(needed_for_bars(tracks, needs_of(prepared.fem), shares));
     if (!focus_on_what_is_hopeless(prepared, computed, tracks, shares)) return true;

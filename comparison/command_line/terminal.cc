@@ -41,6 +41,13 @@ void print_values(const std::vector<BatchLine>& lines) {
   print_sweep(results);
 }
 
+/// Number of the cases whose model is MDR's, failed ones among them.
+long n_of_model(const std::vector<BatchLine>& lines) {
+  return std::count_if(lines.begin(), lines.end(), [](const auto& line) {
+    return line.failed() || (line.outcome != Outcome::not_compared && line.outcome != Outcome::other_model);
+  });
+}
+
 /// Outcome of several cases: the worst of them.
 std::string heading_of(const std::vector<BatchLine>& lines) {
   const auto any = [&](Outcome outcome) {
@@ -49,7 +56,7 @@ std::string heading_of(const std::vector<BatchLine>& lines) {
   if (std::any_of(lines.begin(), lines.end(), [](const auto& line) { return line.failed(); })) return "FAILED";
   for (const auto outcome : {Outcome::disagree, Outcome::not_resolved, Outcome::not_proved})
     if (any(outcome)) return outcome == Outcome::disagree ? "DISAGREE" : name_of(outcome);
-  return name_of(any(Outcome::agree) ? Outcome::agree : Outcome::other_model);
+  return name_of(n_of_model(lines) > 0 ? Outcome::agree : Outcome::other_model);
 }
 
 /// "11 of 13 agree, 1 not resolved, 1 failed": of those whose model is MDR's; "MDR computes another model in 2".
@@ -59,12 +66,12 @@ std::string counts_text(const std::vector<BatchLine>& lines) {
   const auto with = [&](Outcome outcome) {
     return count([=](const auto& line) { return !line.failed() && line.outcome == outcome; });
   };
-  const auto n_of_mdr = static_cast<long>(lines.size()) - with(Outcome::not_compared) - with(Outcome::other_model);
-  auto text = n_of_mdr > 0 ? fmt::format("{:>3} of {:>3} agree", with(Outcome::agree), n_of_mdr) : "";
-  if (const auto n = with(Outcome::other_model); n > 0)
-    text += fmt::format("{}MDR computes another model in {}", text.empty() ? "" : ", ", n);
+  const auto n = n_of_model(lines);
+  auto text = n > 0 ? fmt::format("{:>3} of {:>3} agree", with(Outcome::agree), n) : "";
+  if (const auto others = with(Outcome::other_model); others > 0)
+    text += fmt::format("{}MDR computes another model in {}", text.empty() ? "" : ", ", others);
   for (const auto outcome : {Outcome::disagree, Outcome::not_resolved, Outcome::not_proved})
-    if (const auto n = with(outcome); n > 0) text += fmt::format(", {} {}", n, name_of(outcome));
+    if (const auto some = with(outcome); some > 0) text += fmt::format(", {} {}", some, name_of(outcome));
   return text + (n_failed > 0 ? fmt::format(", {} failed", n_failed) : "");
 }
 
@@ -106,9 +113,8 @@ void print_verdicts(const std::vector<BatchLine>& lines) {
     }
     if (n_beyond == members.size()) continue;
     const auto use = largest_use_of(members);
-    const auto heading = heading_of(members);
-    const char* told = heading == name_of(Outcome::other_model) ? "MDR is off most" : "closest to its tolerance";
-    fmt::print("{:<12} {:<34} {}{}\n", heading, family, counts_text(members),
+    const char* told = n_of_model(members) > 0 ? "closest to its tolerance" : "MDR is off most";
+    fmt::print("{:<12} {:<34} {}{}\n", heading_of(members), family, counts_text(members),
                use.share < 0 ? "" : fmt::format("; {}: {}", told, use.text));
   }
   std::fflush(stdout);  // before the log goes on

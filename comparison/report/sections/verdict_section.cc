@@ -150,13 +150,14 @@ Filling verdict_section(const Results& results) {
     }
     return filling;
   }
-  filling["sentence"] = counts_sentence(counts, results.size());
-  if (const auto other = counts.find(Outcome::other_model); other != counts.end())
-    filling["sentence"] = fmt::format("{} {} of another model than that of MDR: differences are what MDR is off by.",
-                                      filling["sentence"].get<std::string>(), were(other->second));
-  if (const auto beyond = counts.find(Outcome::not_compared); beyond != counts.end())
-    filling["sentence"] = fmt::format("{} {} not compared, because MDR does not hold for the profile.",
-                                      filling["sentence"].get<std::string>(), were(beyond->second));
+  auto sentence = counts_sentence(counts, results.size());
+  const auto add = [&](Outcome outcome, const char* words) {
+    if (const auto found = counts.find(outcome); found != counts.end())
+      sentence += fmt::format(" {} {}.", were(found->second), words);
+  };
+  add(Outcome::other_model, "of another model than that of MDR: differences are what MDR is off by");
+  add(Outcome::not_compared, "not compared, because MDR does not hold for the profile");
+  filling["sentence"] = sentence;
   filling["has_values"] = true;
   filling["values"] = filling_of(values_table(results, quantities_with_units()));
   filling["table"] = filling_of(table_of_differences(results, true));

@@ -14,7 +14,7 @@ namespace fretval {
 /// made once more. n_processes: number of processes that make it together, which decides the order of sums.
 std::string operator_key(const BodyDescription& description, const fem::FourierOrder& order, int n_processes = 1);
 
-/// The key of the operator of an order over all components of a surface, see SurfaceOperator.
+/// The key of an operator of an order over all components of a surface, see fem::surface_block.
 std::string surface_key(const BodyDescription& description, const fem::FourierOrder& order);
 
 /// Whether a key belongs to an operator of this harmonic, and whether this program on this processor could have made
