@@ -80,7 +80,7 @@ FeAnswer compute_case(const FemCase& fem_case, const Resolution& resolution, Bod
   if (const auto elsewhere = half_a_ring_away(fem, answer)) {
     auto other = at_resolution(fem_case, *elsewhere);
     other.full.second_algorithm = false;  // it confirms the steps of the answer
-    average_zones(computed_on_one_mesh(other, false, bodies), answer);
+    average(computed_on_one_mesh(other, false, bodies), answer);
   }
   return answer;
 }

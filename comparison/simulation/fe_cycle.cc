@@ -46,4 +46,11 @@ void add_change(const CycleReadings& from, const CycleReadings& to, CycleReading
     if (reading.value) *reading.value += to.value(quantity) - from.value(quantity);
 }
 
+void go_halfway(const CycleReadings& other, CycleReadings& cycle) {
+  for (auto& [quantity, reading] : cycle.readings)
+    if (reading.value) reading.value = (*reading.value + other.value(quantity)) / 2;
+  cycle.sliding_force = (cycle.sliding_force + other.sliding_force) / 2;
+  cycle.sliding_work = (cycle.sliding_work + other.sliding_work) / 2;
+}
+
 }  // namespace fretval

@@ -21,4 +21,7 @@ CycleReadings cycle_of(const FemCase& fem, const fem::SurfaceHistory& history, d
 /// Adds to the values of a cycle what those of one of its contacts are more than those of another.
 void add_change(const CycleReadings& from, const CycleReadings& to, CycleReadings& cycle);
 
+/// Moves the values of a cycle halfway to those of another one.
+void go_halfway(const CycleReadings& other, CycleReadings& cycle);
+
 }  // namespace fretval

@@ -182,12 +182,20 @@ void read_stick_radii(FeAnswer& answer) {
   answer.shakedown_uncertainty = surface.sticks_in_a_cycle.uncertainty;
 }
 
+void go_halfway(double other, double& value) {
+  value = (value + other) / 2;
+}
+
+void go_halfway(const std::optional<double>& other, std::optional<double>& value) {
+  if (other && value) go_halfway(*other, *value);
+}
+
 /// Moves the edge of a zone halfway to that of another one, where there are both.
 void go_halfway(const PlaneZone& other, PlaneZone& zone) {
   if (zone.radius == 0 || other.radius == 0) return;
   for (const auto part : {&PlaneZone::radius, &PlaneZone::along, &PlaneZone::across})
-    zone.*part = (zone.*part + other.*part) / 2;
-  for (std::size_t j = 0; j < zone.edges.size(); ++j) zone.edges[j] = (zone.edges[j] + other.edges[j]) / 2;
+    go_halfway(other.*part, zone.*part);
+  for (std::size_t j = 0; j < zone.edges.size(); ++j) go_halfway(other.edges[j], zone.edges[j]);
   zone.area = fem::pi * zone.radius * zone.radius;
   zone.uncertainty = std::max(zone.uncertainty, other.uncertainty);
 }
@@ -210,12 +218,18 @@ std::optional<Resolution> half_a_ring_away(const FemCase& fem, const FeAnswer& a
   return elsewhere;
 }
 
-void average_zones(const FeAnswer& other, FeAnswer& answer) {
+void average(const FeAnswer& other, FeAnswer& answer) {
   const auto* elsewhere = other.as<SurfaceAnswer>();
   auto* surface = std::get_if<SurfaceAnswer>(&answer.of_kind);
   if (!elsewhere || !surface) return;
   for (const auto zone : {&SurfaceAnswer::never_slipped, &SurfaceAnswer::sticks_in_a_cycle, &SurfaceAnswer::contact})
     go_halfway(elsewhere->*zone, surface->*zone);
+  go_halfway(elsewhere->transverse_force_max, surface->transverse_force_max);
+  go_halfway(elsewhere->torque_max, surface->torque_max);
+  go_halfway(other.normal_force_max, answer.normal_force_max);
+  go_halfway(other.indentation_max, answer.indentation_max);
+  go_halfway(other.tangential_amplitude, answer.tangential_amplitude);
+  if (other.cycle && answer.cycle) go_halfway(*other.cycle, *answer.cycle);
   if (answer.contact_radius_max) answer.contact_radius_max = surface->contact.radius;
   read_stick_radii(answer);
   answer.n_cycles += other.n_cycles;

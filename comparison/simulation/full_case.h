@@ -24,10 +24,10 @@ FeAnswer compute_full_contact(const ContactProblems& problems, const FemCase& fe
 /// better readings, or none; or the mesh is given, and with it where its rings lie.
 std::optional<Resolution> half_a_ring_away(const FemCase& fem, const FeAnswer& answer);
 
-/// Moves the edges of the zones halfway to those of another answer. What is read of points errs by up to a tenth of a
-/// ring, to either side, with the place of the edge in its ring, nearly as a sine: the mean over two places half a ring
-/// apart errs by a sixth of that.
-void average_zones(const FeAnswer& other, FeAnswer& answer);
+/// Takes the means of an answer and of another one: of its zones, forces and works. What is read of points errs by up
+/// to a tenth of a ring, to either side, with the place of the edge in its ring, nearly as a sine: the mean over two
+/// places half a ring apart errs by a sixth of that.
+void average(const FeAnswer& other, FeAnswer& answer);
 
 /// A zone in units of a length.
 PlaneZone zone_of(const fem::ContactRegion& region, double length);

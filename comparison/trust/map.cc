@@ -88,11 +88,11 @@ std::optional<Focus> focus_on_zone(const Coordinates& at, double rings) {
   return {};
 }
 
-/// Where a point is computed first: on few rings where pressure and friction are coupled, whose steps take longest.
+/// Where a point is computed first: in fewer steps where pressure and friction are coupled, as these take longest.
 /// Micro-slip moves an edge by so little that it has to die out further than a single case asks for.
 Resolution first_resolution(const FemCase& fem, const PlannedPoint& planned, const Coordinates& at, double fineness) {
   auto resolution = fem.resolution;
-  resolution.elements_per_radius = planned.scene.coupled ? 48 : 96;
+  resolution.elements_per_radius = 48;
   resolution.steps_per_cycle = planned.scene.coupled ? 72 : 144;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
@@ -106,22 +106,57 @@ Case without_full_contact(Case input) {
   return input;
 }
 
-/// The changes of a scene from the ring contact to the full contact, at each resolution computed once.
+/// The changes of a scene from the ring contact to the full contact, at each resolution computed once. They are means
+/// over places of the edges of the zones in their rings: with the place forces and energies go to and fro, by an error
+/// that falls with no order of the rings.
 class SceneChanges {
  public:
-  SceneChanges(const Case& input, BodyStore& bodies)
-      : full_(prepare({input}).front()), on_rings_(prepare({without_full_contact(input)}).front()), bodies_(bodies) {}
+  SceneChanges(const Case& input, const Coordinates& at, BodyStore& bodies)
+      : full_(prepare({input}).front()),
+        on_rings_(prepare({without_full_contact(input)}).front()),
+        at_(at),
+        bodies_(bodies) {}
 
   [[nodiscard]] const FemCase& fem() const { return full_.fem; }
   [[nodiscard]] const std::map<Resolution, Quantities>& known() const { return known_; }
 
   const Quantities& at(const Resolution& resolution) {
     const auto [place, is_new] = known_.try_emplace(resolution);
-    if (is_new) place->second = computed(resolution);
+    if (is_new) place->second = mean_over_places(resolution);
     return place->second;
   }
 
  private:
+  /// Only what is known at all places.
+  [[nodiscard]] Quantities mean_over_places(const Resolution& resolution) const {
+    // A coupled contact is computed at two places each time (half_a_ring_away).
+    const unsigned n_places = full_.fem.full.coupled ? 1 : 8;
+    auto elsewhere = resolution;
+    Quantities means = computed(resolution);
+    for (unsigned k = 1; k < n_places; ++k) {
+      elsewhere.edge_before_node += rings_per_ring_of_zones(resolution) / n_places;
+      const auto changes = computed(elsewhere);
+      for (auto mean = means.begin(); mean != means.end();) {
+        const auto change = changes.find(mean->first);
+        if (change == changes.end()) {
+          mean = means.erase(mean);
+        } else {
+          mean->second += change->second;
+          ++mean;
+        }
+      }
+    }
+    for (auto& [quantity, mean] : means) mean /= n_places;
+    return means;
+  }
+
+  /// By how many rings the edge that lies at its place in a ring (Resolution::edge_before_node) moves while the edges
+  /// of the zones move by one.
+  [[nodiscard]] double rings_per_ring_of_zones(const Resolution& resolution) const {
+    const double outer = resolution.focus ? resolution.focus->outer : 1, shakedown = at_.shakedown.value_or(outer);
+    return outer / ((shakedown + at_.first_slip.value_or(shakedown)) / 2);
+  }
+
   [[nodiscard]] Quantities computed(const Resolution& resolution) const {
     const auto readings = [&](const PreparedCase& prepared) {
       return readings_of(compute_case(prepared.fem, resolution, bodies_), prepared.fem.units);
@@ -139,6 +174,7 @@ class SceneChanges {
   }
 
   PreparedCase full_, on_rings_;
+  Coordinates at_;
   BodyStore& bodies_;
   std::map<Resolution, Quantities> known_;
 };
@@ -191,6 +227,13 @@ std::optional<ErrorSource> what_widens(const ChangesWithBars& found) {
   }
   if (by_rings == 0 && by_steps == 0) return {};
   return by_rings > by_steps ? ErrorSource::rings : ErrorSource::time_step;
+}
+
+/// How often a bar that is too wide has rings or steps halved. A step of a coupled contact takes ten times as long as
+/// one with given pressures, and on a layer fifty times.
+int most_refinements(const MapScene& scene) {
+  if (!scene.coupled) return 3;
+  return scene.radius_over_thickness == 0 ? 2 : 0;
 }
 
 }  // namespace
@@ -254,13 +297,15 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input) {
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness) {
   const auto input = case_of(planned.scene);
   auto point = point_by_mdr(planned, input);
-  SceneChanges changes(input, bodies);
-  const auto first = first_resolution(changes.fem(), planned, point.at, fineness);
-  auto found = with_bars(changes, first);
-  // A step of a coupled contact on a layer takes five times as long as on a half-space.
-  const bool worth_more = planned.scene.coupled && planned.scene.radius_over_thickness == 0;
-  if (const auto source = worth_more ? what_widens(found) : std::nullopt)
-    found = with_bars(changes, *refined(first, *source));
+  SceneChanges changes(input, point.at, bodies);
+  auto resolution = first_resolution(changes.fem(), planned, point.at, fineness);
+  auto found = with_bars(changes, resolution);
+  for (int left = fineness < 1 ? 0 : most_refinements(planned.scene); left > 0; --left) {
+    const auto source = what_widens(found);
+    if (!source) break;
+    resolution = *refined(resolution, *source);
+    found = with_bars(changes, resolution);
+  }
   point.changes = std::move(found.changes);
   return point;
 }

@@ -8,6 +8,7 @@
 
 #include "comparison/accuracy/prepared_case.h"
 #include "comparison/simulation/compute_case.h"
+#include "tests/comparison/some_cycle.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::full_case_test {
@@ -119,16 +120,25 @@ TEST(FullCase, MovesTheRingsByHalfOfOneWhereItsZonesEnd) {
   EXPECT_TRUE(half_a_ring_away(prepare({with_vector_friction(0.3, true)}).front().fem, answer));
 }
 
-TEST(FullCase, TakesTheMeanOfTwoZones) {
+TEST(FullCase, TakesTheMeanOfTwoAnswers) {
   FeAnswer one, other, none;
   one.of_kind = SurfaceAnswer{
       {12.566370614359172, 2, 2.5, 1.5, 0.1, {1.5, 2.5}}, {}, {}, {0, 9, 9, 9, 0.3, {9, 9}}, 0, 0, {}, {}};
   other.of_kind = SurfaceAnswer{
       {0, 4, 4.5, 3.5, 0.4, {3.5, 4.5}}, {0, 1, 1, 1, 0, {1, 1}}, {}, {0, 10, 10, 10, 0.2, {10, 10}}, 0, 0, {}, {}};
   one.contact_radius_max = 9;
+  one.normal_force_max = 5;
+  other.normal_force_max = 6;
+  one.indentation_max = 1;
+  other.indentation_max = 4;
+  other.tangential_amplitude = 7;  // which the first one does not have
+  std::get<SurfaceAnswer>(one.of_kind).torque_max = 2;
+  std::get<SurfaceAnswer>(other.of_kind).torque_max = 3;
+  one.cycle = some_cycle({10, 0, 5, 0, 5});
+  other.cycle = some_cycle({20, 0, 6, 0, 5});
   one.n_steps = 3;
   other.n_steps = 4;
-  average_zones(other, one);
+  average(other, one);
   const auto& zones = *one.as<SurfaceAnswer>();
   EXPECT_DOUBLE_EQ(zones.never_slipped.area, 9 * 3.141592653589793);
   EXPECT_EQ(zones.never_slipped.along, 3.5);
@@ -140,9 +150,15 @@ TEST(FullCase, TakesTheMeanOfTwoZones) {
   EXPECT_FALSE(one.stick_radius_shakedown);  // it is none on one of the meshes
   EXPECT_EQ(one.contact_radius_max.value(), 9.5);
   EXPECT_EQ(zones.contact.uncertainty, 0.3);
+  EXPECT_EQ(zones.torque_max, 2.5);
+  EXPECT_EQ(one.normal_force_max, 5.5);
+  EXPECT_EQ(one.indentation_max.value(), 2.5);
+  EXPECT_FALSE(one.tangential_amplitude);
+  EXPECT_EQ(one.cycle->value(Quantity::tangential_force_max), 15);
+  EXPECT_EQ(one.cycle->value(Quantity::friction_work), 5.5);
   EXPECT_EQ(one.n_steps, 7);
   none.of_kind = GrossSlipStart{};
-  average_zones(none, one);
+  average(none, one);
   EXPECT_EQ(one.n_steps, 7);
 }
 

@@ -31,7 +31,7 @@ TEST(PointByMdr, HasBothOfItsModels) {
 // incompressible half-space it takes some of the stick radius away.
 TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
   BodyStore bodies;
-  MapScene scene{0.5};
+  MapScene scene{0.7};
   const auto incompressible = computed_point({"phase", "", scene}, bodies, 0.5);
   const auto& radius = incompressible.changes.at(Quantity::stick_radius_shakedown);
   EXPECT_LT(radius.value, -radius.bar);
@@ -42,7 +42,7 @@ TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
   EXPECT_NEAR(none.value, 0, 1e-6);
 }
 
-// Of 48 equal rings to the contact radius, the fewest of a bar would have two in a zone of 0.2 a: its bar would be as
+// Of 24 equal rings to the contact radius, the fewest of a bar would have one in a zone of 0.2 a: its bar would be as
 // wide as the value.
 TEST(ComputedPoint, ResolvesASmallStickZone) {
   BodyStore bodies;
@@ -53,15 +53,15 @@ TEST(ComputedPoint, ResolvesASmallStickZone) {
   EXPECT_LT(radius.bar, 0.007);
 }
 
-// All slip takes place within 0.05 a of the edge, of two in 48 equal rings: -0.2 % would be read of them. The value is
-// that of 192 equal rings and 288 steps.
-TEST(ComputedPoint, ResolvesAThinSlipAnnulus) {
+// All slip takes place within 0.05 a of the edge, of one in 24 equal rings. The value is that of 192 equal rings and
+// 144 steps, the mean over eight places of the edge in its ring; 96 and 48 rings have -0.02273 and -0.02236.
+TEST(ComputedPointSlow, ResolvesAThinSlipAnnulus) {
   BodyStore bodies;
   MapScene scene{0.95};
   scene.phase = 0;
   const auto& work = computed_point({"phase", "", scene}, bodies, 0.5).changes.at(Quantity::friction_work);
-  EXPECT_NEAR(work.value, -0.02405, work.bar);
-  EXPECT_LT(work.bar, 0.005);
+  EXPECT_NEAR(work.value, -0.02276, work.bar);
+  EXPECT_LT(work.bar, 0.007);
 }
 
 }  // namespace
