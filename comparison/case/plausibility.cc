@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "comparison/case/table_noise.h"
 #include "comparison/case/test_duration.h"
@@ -58,6 +59,35 @@ void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
       input.elastomer.relaxed_modulus));
 }
 
+/// Frequencies at which the indenter moves, or those of its forces; along a path that repeats, that of its period.
+std::vector<double> moving_frequencies(const Case::Motion& motion) {
+  if (motion.path) return motion.path->repeats ? std::vector{1 / motion.path->duration()} : std::vector<double>{};
+  std::vector<double> frequencies;
+  const auto add = [&](double amplitude, double frequency) {
+    if (amplitude > 0) frequencies.push_back(frequency);
+  };
+  add(motion.normal_force ? motion.normal_force->amplitude : motion.normal_amplitude, motion.normal_frequency);
+  add(motion.tangential_force.value_or(motion.tangential_amplitude), motion.tangential_frequency);
+  for (const auto* harmonics : {&motion.normal_harmonics, &motion.tangential_harmonics, &motion.transverse})
+    for (const auto& harmonic : *harmonics) add(harmonic.amplitude, harmonic.frequency);
+  return frequencies;
+}
+
+/// Warning about a motion at frequencies at which nobody has measured the moduli.
+void add_unmeasured_frequencies(const Case& input, std::vector<std::string>& warnings) {
+  const auto& curve = input.elastomer.master_curve;
+  if (!curve || curve->frequency.empty()) return;
+  const auto [least, most] = std::minmax_element(curve->frequency.begin(), curve->frequency.end());
+  std::set<double> unmeasured;
+  for (const double frequency : moving_frequencies(input.motion))
+    if (frequency < *least || frequency > *most) unmeasured.insert(frequency);
+  for (const double frequency : unmeasured)
+    warnings.push_back(fmt::format(
+        "{}: the indenter moves at {:.3g} Hz, where {} has no moduli (it has {:.3g} to {:.3g} Hz): those there are "
+        "extrapolated by the fit, and no error bar knows how well",
+        input.file, frequency, curve->table, *least, *most));
+}
+
 }  // namespace
 
 std::string hint_at_modulus(const Case& input) {
@@ -83,6 +113,7 @@ std::vector<std::string> implausible_values(const Case& input, const mdr::Profil
                     input.file, modulus, least_modulus, largest_modulus));
   if (!input.indenter.trace) add_difference_of_halves(input.indenter.table, input.indenter.table_noise, warnings);
   add_slow_branches(input, warnings);
+  add_unmeasured_frequencies(input, warnings);
   if (input.wear_kinetics) add_difference_of_halves(input.wear_kinetics->profile, 0, warnings);
   if (const auto noise = noise_behind_falls(input.indenter))
     warnings.push_back(

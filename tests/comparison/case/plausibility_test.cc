@@ -54,6 +54,36 @@ TEST(Plausibility, HintsAtAModulusThatTheBodyHardlyReturnsBy) {
   EXPECT_EQ(hint_at_modulus(read_case()), "");
 }
 
+// Moduli measured from 0.1 to 10 Hz.
+TEST(Plausibility, FrequenciesWithoutModuliAreWarnedAbout) {
+  auto scene = read_case();
+  const auto warnings = [&] {
+    std::string all;
+    for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning + "\n";
+    return all;
+  };
+  auto& curve = scene.elastomer.master_curve.emplace();
+  curve.table = "dma.csv";
+  curve.frequency = {0.1, 1, 10};
+  scene.motion.normal_frequency = 10;
+  scene.motion.tangential_frequency = 0.1;
+  EXPECT_EQ(warnings(), "");
+  scene.motion.normal_frequency = 25;
+  expect_parts(warnings(), {"case.prm", "moves at 25 Hz", "dma.csv", "0.1 to 10 Hz"});
+  scene.motion.normal_amplitude = 0;
+  EXPECT_EQ(warnings(), "") << "nothing moves at that frequency";
+  scene.motion.tangential_harmonics = {{1e-6, 0.05, 0}};
+  expect_parts(warnings(), {"moves at 0.05 Hz"});
+  scene.motion.path.emplace();
+  scene.motion.path->time = {0, 0.01};
+  scene.motion.path->normal = {1e-4, 1e-4};
+  scene.motion.path->tangential = {0, 0};
+  scene.motion.path->repeats = true;
+  expect_parts(warnings(), {"moves at 100 Hz"});
+  scene.motion.path->repeats = false;
+  EXPECT_EQ(warnings(), "") << "a single pass has no frequency";
+}
+
 // A parabola of 10 mm, one half of which is 3 % higher than the mean.
 TEST(Plausibility, HalvesOfAScanThatDifferAreWarnedAbout) {
   const ScratchFolder folder;
