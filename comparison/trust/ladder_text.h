@@ -1,7 +1,6 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 
 #include "comparison/trust/ladder.h"
@@ -11,9 +10,6 @@ namespace fretval {
 /// "MDR's shakedown radius is 20 % ± 0.002 % too small here: a layer 2 mm thick, a/H = 0.69 (+25 %)": of the shakedown
 /// radius or, where there is none, the first-slip or the contact radius; in brackets what an assumption changes.
 std::string headline_of(const Ladder& ladder);
-
-/// The quantity of the headline, which a user asks for first; empty: nothing is compared.
-std::optional<Quantity> quantity_of_headline(const Ladder& ladder);
 
 /// Headline, a table of quantities by rungs, and what is not computed, for the terminal.
 std::string ladder_text(const std::string& name, const Ladder& ladder);
