@@ -19,20 +19,11 @@ constexpr const char* example = R"("t,d,u_x" and "s,um,um", or "t,F_N,F_x" and "
 
 /// What a path has to have. Of a displacement and a force in one direction one alone can be prescribed.
 const std::vector<mdr::WantedColumn>& path_columns() {
+  const auto& rig = rig_columns();
   static const std::vector<mdr::WantedColumn> wanted{
-      {{{"time", {"t", "time*", "zeit*"}, mdr::time_units()}}},
-      {{{"indentation d",
-         {"d", "indentation*", "depth", "uz", "z", "eindringung*", "eindringtiefe", "normaldisp*", "normalweg"},
-         mdr::length_units()},
-        {"normal force F_N",
-         {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"},
-         mdr::force_units()}}},
-      {{{"tangential displacement u_x",
-         {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
-         mdr::length_units()},
-        {"tangential force F_x",
-         {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
-         mdr::force_units()}}},
+      {{rig[0]}},
+      {{rig[1], rig[3]}},
+      {{rig[2], rig[4]}},
       {{{"transverse displacement u_y", {"uy", "transversedisp*"}, mdr::length_units()},
         {"transverse force F_y", {"fy", "transverseforce"}, mdr::force_units()}},
        true}};

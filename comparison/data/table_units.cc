@@ -9,6 +9,22 @@
 
 namespace fretval {
 
+const std::vector<mdr::ColumnKind>& rig_columns() {
+  static const std::vector<mdr::ColumnKind> kinds{
+      {"time", {"t", "time*", "zeit*"}, mdr::time_units()},
+      {"indentation d",
+       {"d", "indentation*", "depth", "uz", "z", "eindringung*", "eindringtiefe", "normaldisp*", "normalweg"},
+       mdr::length_units()},
+      {"tangential displacement u_x",
+       {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
+       mdr::length_units()},
+      {"normal force F_N", {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"}, mdr::force_units()},
+      {"tangential force F_x",
+       {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
+       mdr::force_units()}};
+  return kinds;
+}
+
 std::string skipped_text(const std::string& file, const mdr::ChosenColumns& chosen) {
   return chosen.skipped.empty() ? "" : fmt::format("{}: skipped: {}", file, chosen.skipped);
 }

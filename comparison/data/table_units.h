@@ -12,6 +12,9 @@ namespace fretval {
 /// mdr/support/csv_columns.h). Returns a sentence on what is skipped, "wear.csv: skipped: column T"; empty: nothing.
 std::string require_units(const std::string& file, const std::vector<mdr::WantedColumn>& wanted);
 
+/// What the columns t, d, u_x, F_N and F_x of a rig, in this order, are called, and which units they may have.
+const std::vector<mdr::ColumnKind>& rig_columns();
+
 /// That sentence for a table that has been read.
 std::string skipped_text(const std::string& file, const mdr::ChosenColumns& chosen);
 
