@@ -82,20 +82,17 @@ void read_wear(const EntryReader& entries, Case& input) {
 const char* const measured_section = "Measured";
 
 void read_loops(const std::string& file, Case::Measured& measured, std::vector<std::string>& notes) {
-  try {
+  input_from(file, [&] {
     std::ifstream stream(file);
     std::vector<mdr::WantedColumn> wanted;
     for (const auto& kind : rig_columns()) wanted.push_back({{kind}, true});
     auto chosen = mdr::read_columns(stream, file, wanted, mdr::InOrder::no);
     auto& csv = chosen.csv;
-    for (std::size_t k = 0; k < csv.columns.size(); ++k) {
-      if (!chosen.kind[k]) continue;
-      if (!mdr::names_unit(csv, k))
+    for (std::size_t k = 0; k < csv.columns.size(); ++k)
+      if (chosen.kind[k] && !mdr::names_unit(csv, k))
         throw InputError(
             fmt::format("{}: column {} has no unit; must have one, for example \"F_x [N]\"", file, csv.names[k]));
-      const double size = mdr::unit_of_column(csv, k, rig_columns()[k].units, file);
-      for (double& value : csv.columns[k]) value *= size;
-    }
+    take_into_si(file, wanted, chosen);
     if (!chosen.kind[3] && !chosen.kind[4])
       throw InputError(
           fmt::format("{}: has neither a column F_N nor a column F_x with a unit; must have one of them", file));
@@ -109,9 +106,7 @@ void read_loops(const std::string& file, Case::Measured& measured, std::vector<s
     measured.tangential_displacement = std::move(csv.columns[2]);
     measured.normal_force = std::move(csv.columns[3]);
     measured.tangential_force = std::move(csv.columns[4]);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 std::optional<Case::Measured::Value> read_value(const EntryReader& entries, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "comparison/data/table_units.h"
 #include "comparison/support/constants.h"
 #include "mdr/rheology/kramers_kronig.h"
 #include "mdr/rheology/modulus_table.h"
@@ -72,7 +73,7 @@ std::optional<RelaxedModulusRange> extrapolated_range(const Case::MasterCurve& d
 
 void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& elastomer,
                       std::vector<std::string>& warnings) {
-  try {
+  input_from(file, [&] {
     std::ifstream stream(file);
     const auto table = mdr::read_modulus_table(stream, file, youngs ? 1 / (2 * (1 + elastomer.poisson_ratio)) : 1);
     const auto fit = mdr::fit_prony(table);
@@ -92,10 +93,7 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
           "Elastomer / Duration of the test to how long the test lasts",
           file, table.frequency.front(), table.loss.front() / table.storage.front(), elastomer.relaxed_modulus,
           range->least, range->most));
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    throw InputError(message.find(file) == std::string::npos ? file + ": " + message : message);
-  }
+  });
 }
 
 }  // namespace fretval

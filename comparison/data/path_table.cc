@@ -99,11 +99,7 @@ std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumn
         fmt::format("{}: column {} has no unit; expected one, for example \"t,d,u_x,u_y\" and "
                     "\"s,um,um,um\"",
                     file, is_force ? "F_y" : "u_y"));
-  const double size =
-      mdr::unit_of_column(chosen.csv, column, is_force ? mdr::force_units() : mdr::length_units(), file);
-  auto values = std::move(chosen.csv.columns[column]);
-  for (double& value : values) value *= size;
-  return values;
+  return std::move(chosen.csv.columns[column]);
 }
 
 /// A single pass that begins as the indenter comes to touch begins so little deeper that the body bears nothing yet: a
@@ -173,7 +169,7 @@ PathRest rest_of(const Case::Path& path) {
 
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
                            std::vector<std::string>& notes) {
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
     auto chosen = mdr::read_columns(stream, file, path_columns(), mdr::InOrder::no);
     auto& csv = chosen.csv;
@@ -183,11 +179,7 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
       throw InputError(fmt::format("{}: {} {}; a path that {} needs at least {}", file, n, n == 1 ? "row" : "rows",
                                    repeats ? "repeats" : "is passed once", least));
     require_rising(file, csv);
-    for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto& kind = path_columns()[column].kinds[chosen.kind[column].value()];
-      const double size = mdr::unit_of_column(csv, column, kind.units, file);
-      for (double& value : csv.columns[column]) value *= size;
-    }
+    take_into_si(file, path_columns(), chosen);
     if (auto skipped = skipped_text(file, chosen); !skipped.empty()) notes.push_back(std::move(skipped));
     const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
     auto transverse = transverse_column(file, chosen, is_force(2));
@@ -207,9 +199,7 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     require_contact_at_rest(file, path);
     begin_without_tangential_force(file, path);
     return path;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 Case::Motion motion_along(Case::Path path) {

@@ -4,7 +4,6 @@
 
 #include <fstream>
 
-#include "comparison/case/case.h"
 #include "mdr/support/csv_units.h"
 
 namespace fretval {
@@ -29,9 +28,17 @@ std::string skipped_text(const std::string& file, const mdr::ChosenColumns& chos
   return chosen.skipped.empty() ? "" : fmt::format("{}: skipped: {}", file, chosen.skipped);
 }
 
+void take_into_si(const std::string& file, const std::vector<mdr::WantedColumn>& wanted, mdr::ChosenColumns& chosen) {
+  for (std::size_t column = 0; column < wanted.size(); ++column) {
+    if (!chosen.kind[column]) continue;
+    const double size = mdr::unit_of_column(chosen.csv, column, wanted[column].kinds[*chosen.kind[column]].units, file);
+    for (double& value : chosen.csv.columns[column]) value *= size;
+  }
+}
+
 std::string require_units(const std::string& file, const std::vector<mdr::WantedColumn>& wanted) {
   const char* const example = wanted.size() == 2 ? "\"r,f\" and \"mm,um\"" : "\"f,G',G''\" and \"Hz,MPa,MPa\"";
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
     const auto chosen = mdr::read_columns(stream, file, wanted, mdr::InOrder::yes);
     for (std::size_t column = 0; column < wanted.size(); ++column) {
@@ -43,9 +50,7 @@ std::string require_units(const std::string& file, const std::vector<mdr::Wanted
                         file, column + 1, example));
     }
     return skipped_text(file, chosen);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 }  // namespace fretval
