@@ -12,6 +12,7 @@
 #include "comparison/results/verdict_text.h"
 #include "comparison/support/json.h"
 #include "comparison/support/log.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {
@@ -79,7 +80,7 @@ std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const o
 
 /// A share in percent, to so many significant digits, or whole where it has more of them: never as a power of ten.
 std::string percent_text(double share, int digits, bool with_sign = false) {
-  const double percent = 100 * share, rounded = std::stod(fmt::format("{:.{}e}", percent, digits - 1));
+  const double percent = 100 * share, rounded = to_digits(percent, digits);
   const auto text = std::abs(rounded) < std::pow(10, digits) ? fmt::format("{:.{}g}", percent, digits)
                                                              : fmt::format("{:.0f}", percent);
   return with_sign && !std::signbit(percent) ? "+" + text : text;
