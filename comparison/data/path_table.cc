@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "comparison/data/table_units.h"
+#include "comparison/support/statistics.h"
 #include "mdr/support/csv_columns.h"
 #include "mdr/support/csv_units.h"
 
@@ -58,12 +59,6 @@ void require_rising(const std::string& file, const mdr::CsvColumns& csv) {
                                    csv.line_of_row[i], time[i], time[i - 1]));
 }
 
-double largest_of(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 double mean_over_time(const std::vector<double>& time, const std::vector<double>& values) {
   double sum = 0;
   for (std::size_t i = 1; i < time.size(); ++i) sum += (time[i] - time[i - 1]) * (values[i - 1] + values[i]) / 2;
@@ -76,7 +71,7 @@ void close(const std::string& file, Case::Path& path) {
   path.tangential.back() = path.tangential.front();
   if (path.transverse.empty()) return;
   auto& across = path.transverse;
-  if (std::abs(across.back() - across.front()) > roundoff * largest_of(across))
+  if (std::abs(across.back() - across.front()) > roundoff * largest_size(across))
     throw InputError(fmt::format(
         "{0}: {1} jumps from {2:g} {4} in the last row to {3:g} {4} in the first, where the path begins "
         "again; must end where it begins, or have Motion / Path repeats = once",
@@ -108,7 +103,7 @@ void begin_in_contact(Case::Path& path) {
   constexpr double share_of_the_deepest = 1e-9;
   if (path.normal_force || path.repeats || path.normal.front() != 0) return;
   path.from_touch = true;
-  path.normal.front() = share_of_the_deepest * largest_of(path.normal);
+  path.normal.front() = share_of_the_deepest * largest_size(path.normal);
 }
 
 void require_contact_at_rest(const std::string& file, const Case::Path& path) {
@@ -138,7 +133,7 @@ void require_pressing(const std::string& file, const std::vector<int>& lines, co
 /// Sets the first tangential force of a single pass to exactly 0.
 void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
-  const double largest = std::max(largest_of(path.tangential), largest_of(path.transverse));
+  const double largest = std::max(largest_size(path.tangential), largest_size(path.transverse));
   const auto begin = [&](const char* name, std::vector<double>& forces) {
     if (forces.empty()) return;
     if (std::abs(forces.front()) > roundoff * largest)
@@ -150,11 +145,6 @@ void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   };
   begin("F_x", path.tangential);
   begin("F_y", path.transverse);
-}
-
-double half_range(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return (*most - *least) / 2;
 }
 
 }  // namespace
@@ -204,7 +194,8 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
 
 Case::Motion motion_along(Case::Path path) {
   Case::Motion motion;
-  const double rest = rest_of(path).normal, normal = half_range(path.normal), tangential = half_range(path.tangential);
+  const double rest = rest_of(path).normal, normal = range_of(path.normal) / 2,
+               tangential = range_of(path.tangential) / 2;
   if (path.normal_force) {
     motion.normal_force = Case::NormalForce{rest, normal};
   } else {

@@ -107,12 +107,6 @@ double area_of(const std::vector<double>& x, const std::vector<double>& y) {
   return std::abs(sum);
 }
 
-double largest_of_all(const std::vector<double>& values, bool absolute) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, absolute ? std::abs(value) : value);
-  return largest;
-}
-
 std::map<Quantity, Value> values_of(const Case& input) {
   const auto& measured = *input.measured;
   const auto kind = motion_kind_of(input.motion);
@@ -120,9 +114,10 @@ std::map<Quantity, Value> values_of(const Case& input) {
   if (measured.stick_radius) values[lasting_stick_radius(kind)] = *measured.stick_radius;
   if (measured.contact_radius) values[Quantity::contact_radius_max] = *measured.contact_radius;
   if (!measured.normal_force.empty())
-    values[Quantity::normal_force_max] = {largest_of_all(measured.normal_force, false), 0};
+    values[Quantity::normal_force_max] = {
+        std::max(0.0, *std::max_element(measured.normal_force.begin(), measured.normal_force.end())), 0};
   if (!measured.tangential_force.empty())
-    values[Quantity::tangential_force_max] = {largest_of_all(measured.tangential_force, true), 0};
+    values[Quantity::tangential_force_max] = {largest_size(measured.tangential_force), 0};
   if (!is_pass(kind) && !measured.tangential_force.empty() && !measured.tangential_displacement.empty())
     values[Quantity::tangential_work] = {area_of(measured.tangential_displacement, measured.tangential_force), 0};
   return values;

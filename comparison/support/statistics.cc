@@ -17,6 +17,17 @@ std::optional<double> quantile(std::vector<double> values, double share) {
   return values[place];
 }
 
+double largest_size(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+double range_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
+}
+
 std::vector<double> thinned(const std::vector<double>& values, std::size_t most) {
   const std::size_t stride = std::max<std::size_t>((values.size() + most - 1) / most, 1);
   std::vector<double> few;

@@ -14,6 +14,12 @@ TEST(Quantile, IsTheNearestRank) {
   EXPECT_EQ(quantile({3, 1, 2}, 0), 1);
 }
 
+TEST(LargestSize, IsTheLargestAbsoluteValue) {
+  EXPECT_EQ(largest_size({1, -3, 2}), 3);
+  EXPECT_EQ(largest_size({}), 0);
+  EXPECT_EQ(range_of({1, -3, 2}), 5);
+}
+
 TEST(Thinned, TakesValuesAtEqualDistances) {
   EXPECT_EQ(thinned({1, 2, 3, 4, 5}, 2), (std::vector<double>{1, 4}));
   EXPECT_EQ(thinned({1, 2, 3, 4, 5}, 3), (std::vector<double>{1, 3, 5}));
