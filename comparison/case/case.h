@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "mdr/motion/sampled_path.h"
+
 namespace fretval::meshes {
 struct Mesh;
 }
@@ -145,20 +147,12 @@ struct Case {
     double normal_scatter = 0, tangential_scatter = 0;  ///< from cycle to cycle, standard deviation
   };
 
-  /// A path of the indenter, prescribed by its rows and linear between them.
-  struct Path {
-    std::string file;
-    std::vector<double> time;        ///< s, rising, as in the file
-    std::vector<double> normal;      ///< d in m, or F_N in N
-    std::vector<double> tangential;  ///< u_x in m, or F_x in N
-    bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
-    bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
-    std::vector<double> transverse = {};  ///< u_y in m, or F_y in N where x is F_x; empty: it moves along x alone
+  /// A path of the indenter, with its rows as in the file.
+  struct Path : mdr::SampledPath {
+    std::string file = {};
     std::optional<PathReduction> reduction = {};  ///< empty: the rows are those of the file
     /// Whether the indenter comes to touch in the first row of a single pass, so that at rest nothing is in contact.
     bool from_touch = false;
-
-    [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
 
   /// The motion of the indenter. Along a path the numbers tell its size: the mean indentation or normal force, half of

@@ -59,12 +59,6 @@ void require_rising(const std::string& file, const mdr::CsvColumns& csv) {
                                    csv.line_of_row[i], time[i], time[i - 1]));
 }
 
-double mean_over_time(const std::vector<double>& time, const std::vector<double>& values) {
-  double sum = 0;
-  for (std::size_t i = 1; i < time.size(); ++i) sum += (time[i] - time[i - 1]) * (values[i - 1] + values[i]) / 2;
-  return sum / (time.back() - time.front());
-}
-
 /// Makes the last row equal to the first to all digits.
 void close(const std::string& file, Case::Path& path) {
   path.normal.back() = path.normal.front();
@@ -149,14 +143,6 @@ void begin_without_tangential_force(const std::string& file, Case::Path& path) {
 
 }  // namespace
 
-PathRest rest_of(const Case::Path& path) {
-  const auto at_rest = [&path](const std::vector<double>& values) {
-    return path.repeats ? mean_over_time(path.time, values) : values.front();
-  };
-  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
-          path.transverse.empty() || path.tangential_force ? 0 : at_rest(path.transverse)};
-}
-
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
                            std::vector<std::string>& notes) {
   return input_from(file, [&] {
@@ -174,14 +160,9 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
     auto transverse = transverse_column(file, chosen, is_force(2));
     const bool as_it_is = !transverse.empty();
-    Case::Path rows{file,
-                    std::move(csv.columns[0]),
-                    std::move(csv.columns[1]),
-                    std::move(csv.columns[2]),
-                    repeats,
-                    is_force(1),
-                    is_force(2)};
-    rows.transverse = std::move(transverse);
+    Case::Path rows{{std::move(csv.columns[0]), std::move(csv.columns[1]), std::move(csv.columns[2]), repeats,
+                     is_force(1), is_force(2), std::move(transverse)},
+                    file};
     auto path = as_it_is ? std::move(rows) : path_of_record(std::move(rows), tolerance, notes);
     require_pressing(file, csv.line_of_row, path);
     if (repeats) close(file, path);

@@ -235,9 +235,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path) {
-    mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
-                                motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
-                                motion.path->transverse};
+    mdr.path = *motion.path;
     mdr.motion_kind = motion_kind_of(motion);
   }
   if (is_layer_of_mdr(input))

@@ -57,7 +57,7 @@ TEST(DataFiles, SayWhatWasMadeOfTheData) {
   EXPECT_TRUE(data_json(input).empty());
   limit_to_test(0.01, input);
   input.elastomer.shore_a = 40;
-  Case::Path path{"rig.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false};
+  Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false}, "rig.csv"};
   path.reduction = Case::PathReduction{300'000, 7, 1e-8, 2e-8};
   input.motion = motion_along(path);
   const auto json = data_json(input);
@@ -93,7 +93,7 @@ TEST(DataFiles, SayEveryNumberOfTheDataUnderItsKey) {
   auto input = read_case();
   input.indenter.trace =
       Case::AlignedTrace{{0, 1}, {2, 3}, 1e-3, 2e-6, 0.01, 1e-4, 3e-8, true, {0, 1, 2}, {0, 1, 2}, 4e-8};
-  Case::Path path{"rig.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false};
+  Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false}, "rig.csv"};
   path.reduction = Case::PathReduction{300'000, 7, 1e-8, 2e-8, 20, 5e-8, 6e-8};
   input.motion.path = path;
   input.elastomer.test_duration = Case::TestDuration{3600, 2e5, {1, 2}, {3, 4}, 0, 21, 22, {0.5}, 7e-5};
