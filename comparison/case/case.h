@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "mdr/motion/sampled_path.h"
+#include "mdr/profiles/trace_alignment.h"
+#include "mdr/rheology/kramers_kronig.h"
 
 namespace fretval::meshes {
 struct Mesh;
@@ -25,14 +27,11 @@ struct Case {
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes, cycle };
 
-  /// How a raw trace of a profilometer was aligned; see mdr/profiles/trace_alignment.h. Lengths in m.
-  struct AlignedTrace {
-    std::vector<double> x, z;                               ///< as in the file
-    double apex, apex_uncertainty, tilt, tilt_uncertainty;  ///< m; slope of the stage
-    double noise;                                           ///< standard deviation of the heights
-    bool heights_upwards;                                   ///< the tip is the highest point of the file
-    std::vector<double> r, f;                               ///< aligned profile
-    double row_noise;                                       ///< standard deviation of f, whose rows are means
+  /// A raw trace of a profilometer, and how it was aligned. Lengths in m.
+  struct AlignedTrace : mdr::TraceAlignment {
+    std::vector<double> x, z;  ///< as in the file
+    std::vector<double> r, f;  ///< aligned profile
+    double row_noise;          ///< standard deviation of f, whose rows are means
   };
 
   struct Indenter {
@@ -48,19 +47,13 @@ struct Case {
     std::optional<AlignedTrace> trace = {};  ///< of a table that is aligned by itself, instead of its rows
   };
 
-  /// Whether measured moduli contradict each other, by how much at most, and at which frequency in Hz.
-  struct KramersKronigCheck {
-    bool consistent = true;
-    double worst = 0, worst_frequency = 0;
-  };
-
   /// How well a Prony body stands for measured moduli; see mdr/rheology/prony_fit.h and mdr/rheology/kramers_kronig.h.
   struct MasterCurve {
     std::string table;
     /// What was measured: shear moduli in Pa over the frequency in Hz, at the temperature of the case.
     std::vector<double> frequency, storage, loss;
     double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
-    std::optional<KramersKronigCheck> kramers_kronig;  ///< empty: too few frequencies
+    std::optional<mdr::KramersKronig> kramers_kronig;  ///< empty: too few frequencies
     bool youngs = false;                               ///< the table has Young's moduli
   };
 

@@ -34,12 +34,7 @@ void sort_by_place(std::vector<double>& x, std::vector<double>& z) {
 
 Case::AlignedTrace trace_with(const mdr::TraceAlignment& alignment, std::vector<double> x, std::vector<double> z) {
   auto profile = mdr::aligned_profile(alignment, x, z);
-  return {std::move(x),         std::move(z),
-          alignment.apex,       alignment.apex_uncertainty,
-          alignment.tilt,       alignment.tilt_uncertainty,
-          alignment.noise,      alignment.heights_upwards,
-          std::move(profile.r), std::move(profile.f),
-          profile.noise};
+  return {alignment, std::move(x), std::move(z), std::move(profile.r), std::move(profile.f), profile.noise};
 }
 
 }  // namespace
@@ -59,9 +54,7 @@ Case::AlignedTrace read_aligned_trace(const std::string& file, double table_nois
 }
 
 Case::AlignedTrace neighbour_of(const Case::AlignedTrace& trace, int deviations) {
-  const mdr::TraceAlignment alignment{trace.apex,  trace.apex_uncertainty, trace.tilt, trace.tilt_uncertainty,
-                                      trace.noise, trace.heights_upwards};
-  const auto neighbours = mdr::neighbours_of(alignment, trace.x, trace.z);
+  const auto neighbours = mdr::neighbours_of(trace, trace.x, trace.z);
   auto other = trace_with(neighbours[deviations < 0 ? 0 : 1], trace.x, trace.z);
   other.row_noise = trace.row_noise;
   return other;

@@ -58,7 +58,7 @@ TEST(DataShares, OfModuliThatContradictEachOtherCoverTheBodyOfTheStorageModulus)
   body.master_curve->frequency = table.frequency;
   body.master_curve->storage = table.storage;
   body.master_curve->loss = table.loss;
-  body.master_curve->kramers_kronig = Case::KramersKronigCheck{true, 0, 1};
+  body.master_curve->kramers_kronig = mdr::KramersKronig{{}, {}, {}, 0, 1, 0, true};
   EXPECT_TRUE(data_variants(input).empty());
   body.master_curve->kramers_kronig->consistent = false;
   const auto open = data_uncertainties(input, mdr_case(input));
