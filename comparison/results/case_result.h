@@ -70,10 +70,8 @@ void write_result(const CaseResult& result, const nlohmann::ordered_json& json, 
 /// unit of the bars, m.
 nlohmann::ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length);
 
-/// The key "zones" of a case of any kind. For the contact on rings and angles it has `never_slipped`,
-/// `sticks_in_a_cycle` (not for a single pass) and `contact`, each with `area` in m², `radius` of the disc of that
-/// area, half of its extents `along` x and `across`, in m, and their bars (null: none was measured); `torque_max` in N
-/// m. Null: zones are discs.
+/// The key "zones" of a case of any kind, for the contact on rings and angles see docs/full_contact.md; SI units. Null:
+/// zones are discs.
 nlohmann::ordered_json zones_json(const CaseResult& result);
 
 /// The key "not_compared": where the image of the profile falls, and the errors that MDR's springs would make
