@@ -8,16 +8,34 @@
 
 #include "comparison/quantities/reading.h"
 #include "comparison/simulation/compute_case.h"
+#include "comparison/support/stopwatch.h"
 
 namespace fretval {
 
-/// The answer to a case at one resolution, or the failure that kept it from coming. Gross slip counts as a failure,
-/// too, as nothing is to be refined then, but its answer is there and says when it starts.
-struct Computation {
-  FeAnswer fe;
+/// What was computed, or the failure of the numerics that kept it from coming.
+template <class Fe>
+struct Computed {
+  Fe fe = {};
   std::string failure = {};
   double seconds = 0;  ///< of the processor
 };
+
+/// Why the numerics fail in a function; empty: they do not. Other exceptions are thrown.
+std::string failure_in(const std::function<void()>& compute);
+
+/// What a function computes, or why its numerics fail.
+template <class Function>
+auto attempted(const Function& compute) {
+  Computed<decltype(compute())> computed;
+  const double start = processor_seconds();
+  computed.failure = failure_in([&] { computed.fe = compute(); });
+  computed.seconds = processor_seconds() - start;
+  return computed;
+}
+
+/// The answer to a case at one resolution. Gross slip counts as a failure, too, as nothing is to be refined then, but
+/// its answer is there and says when it starts.
+using Computation = Computed<FeAnswer>;
 
 /// What all computations of a proof took together.
 struct ProofCost {

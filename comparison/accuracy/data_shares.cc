@@ -27,14 +27,9 @@ Case with_path(Case input, const Change& change) {
   return input;
 }
 
-double mean_of_extremes(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return (*least + *most) / 2;
-}
-
 void stretch(std::vector<double>& values, double by) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  const double half = (*most - *least) / 2, middle = mean_of_extremes(values);
+  const double half = (*most - *least) / 2, middle = (*least + *most) / 2;
   if (!(half > 0)) return;
   for (double& value : values) value = middle + (value - middle) * (1 + by / half);
 }

@@ -140,39 +140,29 @@ std::vector<Variant> variants_of_wear(const Resolution& resolution) {
 
 std::optional<Resolution> refined(const Resolution& resolution, ErrorSource source, double factor) {
   Resolution r = resolution;
+  const auto within = [](bool limits, const Resolution& finer) { return limits ? std::optional(finer) : std::nullopt; };
   switch (source) {
     case ErrorSource::rings:
     case ErrorSource::edge:
-      if (factor * r.elements_per_radius > most_rings) return std::nullopt;
-      return with_rings(r, factor);
+      return within(factor * r.elements_per_radius <= most_rings, with_rings(r, factor));
     case ErrorSource::angles:
-      if (factor * r.n_angles > most_angles) return std::nullopt;
-      return with_angles(r, factor);
+      return within(factor * r.n_angles <= most_angles, with_angles(r, factor));
     case ErrorSource::element_order:
-      if (++r.degree > most_degree) return std::nullopt;
-      return r;
+      return within(++r.degree <= most_degree, r);
     case ErrorSource::grading:
-      if (r.mesh_refinements) return std::nullopt;
-      if ((r.growth /= 2) < finest_growth) return std::nullopt;
-      return r;
+      return within(!r.mesh_refinements && (r.growth /= 2) >= finest_growth, r);
     case ErrorSource::far_field:
-      if ((r.far_radius *= 2) > largest_far_radius) return std::nullopt;
-      return r;
+      return within((r.far_radius *= 2) <= largest_far_radius, r);
     case ErrorSource::time_step:
-      if (factor * r.steps_per_cycle > most_steps) return std::nullopt;
-      return with_steps(r, factor);
+      return within(factor * r.steps_per_cycle <= most_steps, with_steps(r, factor));
     case ErrorSource::start:
-      if ((r.n_ramp_cycles *= 2) > most_ramp_cycles) return std::nullopt;
-      return r;
+      return within((r.n_ramp_cycles *= 2) <= most_ramp_cycles, r);
     case ErrorSource::creep:
-      if ((r.n_creep_cycles *= 2) > most_creep_cycles) return std::nullopt;
-      return r;
+      return within((r.n_creep_cycles *= 2) <= most_creep_cycles, r);
     case ErrorSource::cycles:
-      if ((r.periodicity /= 10) < finest_periodicity) return std::nullopt;
-      return r;
+      return within((r.periodicity /= 10) >= finest_periodicity, r);
     case ErrorSource::wear_jump:
-      if ((r.wear_jump /= 2) < finest_wear_jump) return std::nullopt;
-      return r;
+      return within((r.wear_jump /= 2) >= finest_wear_jump, r);
     case ErrorSource::data:
       break;
   }

@@ -11,10 +11,6 @@
 
 #include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
-#include "comparison/support/stopwatch.h"
-#include "fem/contact/gross_slip.h"
-#include "fem/support/solver_error.h"
-#include "meshes/mesh_error.h"
 
 namespace fretval {
 namespace {
@@ -31,26 +27,6 @@ std::vector<Coarser> coarser_than(const Resolution& resolution) {
           {ErrorSource::time_step, with_steps(resolution, 0.5)},
           {ErrorSource::angles, with_angles(resolution, 0.5)},
           {ErrorSource::wear_jump, jumps}};
-}
-
-struct Attempt {
-  SurfaceWear fe = {};
-  std::string failure = {};
-  double seconds = 0;
-};
-
-/// Why something could not be computed; empty: it was.
-std::string failure_of(const std::function<void()>& compute) {
-  try {
-    compute();
-    return {};
-  } catch (const fem::SolverError& error) {
-    return error.what();
-  } catch (const meshes::MeshError& error) {
-    return error.what();
-  } catch (const fem::GrossSlip&) {
-    return "the whole contact slides before anything has worn: the tangential force reaches mu times the normal force";
-  }
 }
 
 double volume_of(const SurfaceWear& fe) {
@@ -77,14 +53,15 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   const auto coarser = coarser_than(wear.resolution);
   if (proof != Proof::none)
     for (const auto& one : coarser) wanted.push_back(one.resolution);
-  WornEdge edge{};
-  wear.failure = failure_of([&] {
-    edge = edge_of_surface_wear(fem, *prepared.input.wear_kinetics,
+  const auto edge = attempted([&] {
+    return edge_of_surface_wear(fem, *prepared.input.wear_kinetics,
                                 unworn.fe.stick_radius_shakedown.value_or(0) / fem.units.length, wear.resolution,
                                 bodies, oversight.checkpoints);
   });
+  wear.failure = edge.failure;
+  wear.cost.seconds = edge.seconds;
   if (!wear.failure.empty()) return wear;
-  std::vector<Attempt> made(wanted.size());
+  std::vector<Computed<SurfaceWear>> made(wanted.size());
   std::mutex mutex;
   const auto told = [&](const fem::WearCourse& course) {
     if (!oversight.progress) return;
@@ -93,14 +70,12 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
     oversight.progress(std::min(share, 1.0), course.curve.back().stick_radius);
   };
   for_each_in_parallel(wanted.size(), [&](std::size_t i) {
-    const double start = processor_seconds();
     const auto nothing = [](const fem::WearCourse&) {};
-    made[i].failure = failure_of([&] {
-      made[i].fe =
-          simulate_surface_wear(fem, *prepared.input.wear_kinetics, edge, wanted[i], bodies, oversight.checkpoints,
-                                i == 0 ? std::function<void(const fem::WearCourse&)>(told) : nothing);
+    made[i] = attempted([&] {
+      return simulate_surface_wear(fem, *prepared.input.wear_kinetics, edge.fe, wanted[i], bodies,
+                                   oversight.checkpoints,
+                                   i == 0 ? std::function<void(const fem::WearCourse&)>(told) : nothing);
     });
-    made[i].seconds = processor_seconds() - start;
   });
   for (std::size_t i = 0; i < made.size(); ++i) {
     const long n_cycles = made[i].fe.course.n_cycles_stepped;

@@ -4,10 +4,15 @@
 #include <array>
 
 namespace fretval {
+namespace {
+
+/// bar: of both methods together. The tolerance is the one that was asked for, and never wider.
 Verdict verdict_on(double difference, double tolerance, double bar) {
   if (bar > tolerance && std::abs(difference) <= tolerance + bar) return Verdict::not_resolved;
   return std::abs(difference) <= tolerance ? Verdict::agree : Verdict::disagree;
 }
+
+}  // namespace
 
 const char* name_of(Verdict verdict) {
   if (verdict == Verdict::not_resolved) return "not resolved";

@@ -15,9 +15,6 @@ namespace fretval {
 enum class Verdict { agree, not_resolved, disagree };
 const char* name_of(Verdict verdict);
 
-/// bar: of both methods together. The tolerance is the one that was asked for, and never wider.
-Verdict verdict_on(double difference, double tolerance, double bar);
-
 /// One quantity compared.
 struct Difference {
   std::optional<double>
@@ -54,7 +51,7 @@ double tolerance_of(const Tolerances& tolerances, Quantity quantity);
 bool is_refined_for(Quantity quantity, const Tolerances& tolerances);
 
 /// Differences of the quantities that both methods have, over the scale of each. Where one of the two says that nothing
-/// sticks, the other must say so, too, or find a stick zone smaller than the tolerance. verdict_on() decides, with the
+/// sticks, the other must say so, too, or find a stick zone smaller than the tolerance. judged() decides, with the
 /// error bar of the finite elements, whether a comparison passes.
 using Comparison = std::map<Quantity, Difference>;
 

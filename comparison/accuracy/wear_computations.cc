@@ -4,9 +4,6 @@
 #include <cmath>
 
 #include "comparison/support/parallel.h"
-#include "comparison/support/stopwatch.h"
-#include "fem/support/solver_error.h"
-#include "meshes/mesh_error.h"
 
 namespace fretval {
 namespace {
@@ -64,11 +61,7 @@ void WearComputations::compute(const std::vector<Resolution>& wanted) {
   std::sort(missing.begin(), missing.end(),
             [](const auto& a, const auto& b) { return expected_work(a) > expected_work(b); });
   for (const auto& resolution : missing) shares_.try_emplace(resolution, 0.0);
-  for_each_in_parallel(missing.size(), [&](std::size_t i) {
-    const double start = processor_seconds();
-    all.at(missing[i]) = attempt(missing[i]);
-    all.at(missing[i]).seconds = processor_seconds() - start;
-  });
+  for_each_in_parallel(missing.size(), [&](std::size_t i) { all.at(missing[i]) = attempt(missing[i]); });
 }
 
 ProofCost WearComputations::cost() const {
@@ -97,13 +90,7 @@ WearComputation WearComputations::attempt(const Resolution& resolution) {
       const auto worn = chain_of(rings, course.worn.back(), units.depth / limit.maximum_indentation);
       tell(resolution, std::min(std::max(by_volume, by_cycles), 1.0), distance_between(worn, chain));
     };
-  try {
-    return {simulate_wear(prepared_.fem, wear, edge_, resolution, bodies_, run)};
-  } catch (const fem::SolverError& error) {
-    return {{}, error.what()};
-  } catch (const meshes::MeshError& error) {
-    return {{}, error.what()};
-  }
+  return attempted([&] { return simulate_wear(prepared_.fem, wear, edge_, resolution, bodies_, run); });
 }
 
 void WearComputations::tell(const Resolution& resolution, double share, double distance) {

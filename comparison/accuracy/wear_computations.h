@@ -15,11 +15,7 @@
 
 namespace fretval {
 
-struct WearComputation {
-  WearSimulation fe;
-  std::string failure = {};
-  double seconds = 0;  ///< of the processor
-};
+using WearComputation = Computed<WearSimulation>;
 
 /// What is kept of a course of wear on its way, and who is told of its progress.
 struct WearOversight {

@@ -10,8 +10,6 @@
 
 #include "comparison/simulation/wear_run.h"
 #include "comparison/support/log.h"
-#include "comparison/support/stopwatch.h"
-#include "fem/support/solver_error.h"
 
 namespace fretval {
 namespace {
@@ -289,23 +287,19 @@ ProvedWear prove_wear(const PreparedCase& prepared, const MdrAnswer& mdr, const 
   const auto& units = prepared.fem.units;
   ProvedWear wear{{}, {}, resolution_for_wear(prepared.fem.resolution), wear_limits(prepared.mdr, mdr)};
   wear.limits.reached = wear.limits.reached && may_still_reach(prepared, wear.limits.shakedown);
-  WornEdge edge{};
-  const double start = processor_seconds();
-  try {
-    edge = edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,
+  const auto edge = attempted([&] {
+    return edge_of_wear(prepared.fem, *prepared.input.wear_kinetics,
                         unworn.fe.stick_radius_shakedown.value_or(0) / units.length, bodies, {oversight.checkpoints});
-  } catch (const fem::SolverError& error) {
-    wear.failure = error.what();
-    return wear;
-  }
-  const double edge_seconds = processor_seconds() - start;
-  WearComputations computed(prepared, edge, wear.limits, bodies, oversight);
+  });
+  wear.failure = edge.failure;
+  if (!wear.failure.empty()) return wear;
+  WearComputations computed(prepared, edge.fe, wear.limits, bodies, oversight);
   wear.slip_is_proved = slip_is_proved(unworn);
   wear.sticks_throughout = sticks_throughout(prepared, wear);
   const bool known = wear.slip_is_proved || wear.sticks_throughout;
-  const auto budget = measure_errors(prepared, edge.inner, known ? proof : Proof::none, computed, wear);
+  const auto budget = measure_errors(prepared, edge.fe.inner, known ? proof : Proof::none, computed, wear);
   wear.cost = computed.cost();
-  wear.cost.seconds += edge_seconds;
+  wear.cost.seconds += edge.seconds;
   if (!wear.failure.empty()) return wear;
   if (!prepared.mdr.has_forces()) wear.kinetics = springs_of(prepared, wear.fe.course.curve.back().cycles);
   wear.distance_shakedown = distances_of(wear.fe, units, wear.limits.shakedown);

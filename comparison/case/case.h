@@ -8,6 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "mdr/motion/sampled_path.h"
+#include "mdr/profiles/trace_alignment.h"
+#include "mdr/rheology/kramers_kronig.h"
+
 namespace fretval::meshes {
 struct Mesh;
 }
@@ -23,14 +27,11 @@ struct Case {
   enum class Wear { unworn, limiting };
   enum class Fields { none, extremes, cycle };
 
-  /// How a raw trace of a profilometer was aligned; see mdr/profiles/trace_alignment.h. Lengths in m.
-  struct AlignedTrace {
-    std::vector<double> x, z;                               ///< as in the file
-    double apex, apex_uncertainty, tilt, tilt_uncertainty;  ///< m; slope of the stage
-    double noise;                                           ///< standard deviation of the heights
-    bool heights_upwards;                                   ///< the tip is the highest point of the file
-    std::vector<double> r, f;                               ///< aligned profile
-    double row_noise;                                       ///< standard deviation of f, whose rows are means
+  /// A raw trace of a profilometer, and how it was aligned. Lengths in m.
+  struct AlignedTrace : mdr::TraceAlignment {
+    std::vector<double> x, z;  ///< as in the file
+    std::vector<double> r, f;  ///< aligned profile
+    double row_noise;          ///< standard deviation of f, whose rows are means
   };
 
   struct Indenter {
@@ -46,19 +47,13 @@ struct Case {
     std::optional<AlignedTrace> trace = {};  ///< of a table that is aligned by itself, instead of its rows
   };
 
-  /// Whether measured moduli contradict each other, by how much at most, and at which frequency in Hz.
-  struct KramersKronigCheck {
-    bool consistent = true;
-    double worst = 0, worst_frequency = 0;
-  };
-
   /// How well a Prony body stands for measured moduli; see mdr/rheology/prony_fit.h and mdr/rheology/kramers_kronig.h.
   struct MasterCurve {
     std::string table;
     /// What was measured: shear moduli in Pa over the frequency in Hz, at the temperature of the case.
     std::vector<double> frequency, storage, loss;
     double residual = 0, held_out = 0, worst = 0, worst_frequency = 0;
-    std::optional<KramersKronigCheck> kramers_kronig;  ///< empty: too few frequencies
+    std::optional<mdr::KramersKronig> kramers_kronig;  ///< empty: too few frequencies
     bool youngs = false;                               ///< the table has Young's moduli
   };
 
@@ -145,20 +140,12 @@ struct Case {
     double normal_scatter = 0, tangential_scatter = 0;  ///< from cycle to cycle, standard deviation
   };
 
-  /// A path of the indenter, prescribed by its rows and linear between them.
-  struct Path {
-    std::string file;
-    std::vector<double> time;        ///< s, rising, as in the file
-    std::vector<double> normal;      ///< d in m, or F_N in N
-    std::vector<double> tangential;  ///< u_x in m, or F_x in N
-    bool repeats = false;            ///< for ever, with the period from its first row to its last; false: one pass
-    bool normal_force = false, tangential_force = false;  ///< what the columns are; false: displacements
-    std::vector<double> transverse = {};  ///< u_y in m, or F_y in N where x is F_x; empty: it moves along x alone
+  /// A path of the indenter, with its rows as in the file.
+  struct Path : mdr::SampledPath {
+    std::string file = {};
     std::optional<PathReduction> reduction = {};  ///< empty: the rows are those of the file
     /// Whether the indenter comes to touch in the first row of a single pass, so that at rest nothing is in contact.
     bool from_touch = false;
-
-    [[nodiscard]] double duration() const { return time.back() - time.front(); }
   };
 
   /// The motion of the indenter. Along a path the numbers tell its size: the mean indentation or normal force, half of

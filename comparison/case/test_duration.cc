@@ -45,10 +45,6 @@ bool has_frequencies(const Case::Motion& motion) {
 
 }  // namespace
 
-double longest_period(const Case::Motion& motion) {
-  return 1 / frequencies_of(motion).first;
-}
-
 void limit_to_test(double seconds, Case& input) {
   auto& body = input.elastomer;
   Case::TestDuration test{seconds, body.relaxed_modulus, body.branch_moduli, body.branch_times, body.viscosity};
@@ -93,7 +89,7 @@ Case with_duration_times(double factor, Case input) {
 std::vector<double> times_slower_than(double n_cycles, const Case& input) {
   std::vector<double> times;
   if (input.elastomer.test_duration || !has_frequencies(input.motion)) return times;
-  const double longest = n_cycles * longest_period(input.motion);
+  const double longest = n_cycles / frequencies_of(input.motion).first;
   for (const double time : input.elastomer.branch_times)
     if (time > longest) times.push_back(time);
   std::sort(times.begin(), times.end());

@@ -25,9 +25,6 @@ std::vector<double> times_slower_than(double n_cycles, const Case& input);
 /// than many_cycles, and what to set. Empty: the periodic state can be reached.
 std::string too_slow_for_forces(const Case& input);
 
-/// Longest period of what is prescribed, in s; a pass has its duration.
-double longest_period(const Case::Motion& motion);
-
 /// Cycles of creep beyond which a test does not reach the periodic state soon, and to step up to it takes too long.
 constexpr double many_cycles = 1e4;
 

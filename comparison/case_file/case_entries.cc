@@ -81,41 +81,18 @@ void read_wear(const EntryReader& entries, Case& input) {
 
 const char* const measured_section = "Measured";
 
-const std::vector<mdr::WantedColumn>& loop_columns() {
-  static const std::vector<mdr::WantedColumn> wanted{
-      {{{"time", {"t", "time*", "zeit*"}, mdr::time_units()}}, true},
-      {{{"indentation d",
-         {"d", "indentation*", "depth", "uz", "z", "eindringtiefe", "normaldisp*", "normalweg"},
-         mdr::length_units()}},
-       true},
-      {{{"tangential displacement u_x",
-         {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
-         mdr::length_units()}},
-       true},
-      {{{"normal force F_N",
-         {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"},
-         mdr::force_units()}},
-       true},
-      {{{"tangential force F_x",
-         {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
-         mdr::force_units()}},
-       true}};
-  return wanted;
-}
-
 void read_loops(const std::string& file, Case::Measured& measured, std::vector<std::string>& notes) {
-  try {
+  input_from(file, [&] {
     std::ifstream stream(file);
-    auto chosen = mdr::read_columns(stream, file, loop_columns(), mdr::InOrder::no);
+    std::vector<mdr::WantedColumn> wanted;
+    for (const auto& kind : rig_columns()) wanted.push_back({{kind}, true});
+    auto chosen = mdr::read_columns(stream, file, wanted, mdr::InOrder::no);
     auto& csv = chosen.csv;
-    for (std::size_t k = 0; k < csv.columns.size(); ++k) {
-      if (!chosen.kind[k]) continue;
-      if (!mdr::names_unit(csv, k))
+    for (std::size_t k = 0; k < csv.columns.size(); ++k)
+      if (chosen.kind[k] && !mdr::names_unit(csv, k))
         throw InputError(
             fmt::format("{}: column {} has no unit; must have one, for example \"F_x [N]\"", file, csv.names[k]));
-      const double size = mdr::unit_of_column(csv, k, loop_columns()[k].kinds[0].units, file);
-      for (double& value : csv.columns[k]) value *= size;
-    }
+    take_into_si(file, wanted, chosen);
     if (!chosen.kind[3] && !chosen.kind[4])
       throw InputError(
           fmt::format("{}: has neither a column F_N nor a column F_x with a unit; must have one of them", file));
@@ -129,9 +106,7 @@ void read_loops(const std::string& file, Case::Measured& measured, std::vector<s
     measured.tangential_displacement = std::move(csv.columns[2]);
     measured.normal_force = std::move(csv.columns[3]);
     measured.tangential_force = std::move(csv.columns[4]);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 std::optional<Case::Measured::Value> read_value(const EntryReader& entries, const std::string& name) {

@@ -1,15 +1,13 @@
 #include "comparison/data/aligned_trace.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <fstream>
 #include <numeric>
 #include <utility>
 
+#include "comparison/data/table_units.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/profiles/trace_alignment.h"
-#include "mdr/support/csv_units.h"
 
 namespace fretval {
 namespace {
@@ -36,40 +34,27 @@ void sort_by_place(std::vector<double>& x, std::vector<double>& z) {
 
 Case::AlignedTrace trace_with(const mdr::TraceAlignment& alignment, std::vector<double> x, std::vector<double> z) {
   auto profile = mdr::aligned_profile(alignment, x, z);
-  return {std::move(x),         std::move(z),
-          alignment.apex,       alignment.apex_uncertainty,
-          alignment.tilt,       alignment.tilt_uncertainty,
-          alignment.noise,      alignment.heights_upwards,
-          std::move(profile.r), std::move(profile.f),
-          profile.noise};
+  return {alignment, std::move(x), std::move(z), std::move(profile.r), std::move(profile.f), profile.noise};
 }
 
 }  // namespace
 
 Case::AlignedTrace read_aligned_trace(const std::string& file, double table_noise) {
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
-    auto csv = mdr::read_columns(stream, file, mdr::profile_columns(), mdr::InOrder::yes).csv;
-    for (std::size_t column = 0; column < 2; ++column) {
-      const double size = mdr::unit_of_column(csv, column, mdr::length_units(), file);
-      for (double& length : csv.columns[column]) length *= size;
-    }
-    auto x = std::move(csv.columns[0]), z = std::move(csv.columns[1]);
+    auto chosen = mdr::read_columns(stream, file, mdr::profile_columns(), mdr::InOrder::yes);
+    take_into_si(file, mdr::profile_columns(), chosen);
+    auto x = std::move(chosen.csv.columns[0]), z = std::move(chosen.csv.columns[1]);
     sort_by_place(x, z);
     const auto alignment = mdr::align_trace(x, z);
     auto trace = trace_with(alignment, std::move(x), std::move(z));
     if (table_noise > 0) trace.row_noise *= table_noise / trace.noise;
     return trace;
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    throw InputError(message.find(file) == std::string::npos ? fmt::format("{}: {}", file, message) : message);
-  }
+  });
 }
 
 Case::AlignedTrace neighbour_of(const Case::AlignedTrace& trace, int deviations) {
-  const mdr::TraceAlignment alignment{trace.apex,  trace.apex_uncertainty, trace.tilt, trace.tilt_uncertainty,
-                                      trace.noise, trace.heights_upwards};
-  const auto neighbours = mdr::neighbours_of(alignment, trace.x, trace.z);
+  const auto neighbours = mdr::neighbours_of(trace, trace.x, trace.z);
   auto other = trace_with(neighbours[deviations < 0 ? 0 : 1], trace.x, trace.z);
   other.row_noise = trace.row_noise;
   return other;

@@ -218,7 +218,7 @@ void read_rows(const std::string& file, const mdr::ChosenColumns& chosen, double
 }  // namespace
 
 PronySeries read_prony_series(const std::string& file, double poisson_ratio, std::optional<bool> youngs) {
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
     const auto lines = mdr::read_lines(stream, file);
     if (is_abaqus(lines)) {
@@ -244,9 +244,7 @@ PronySeries read_prony_series(const std::string& file, double poisson_ratio, std
     }
     if (!series.ratios.empty()) require_known_ratio(file, series.ratios);
     return series;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 void take_prony_series(const std::string& file, const PronySeries& series, Case::Elastomer& elastomer) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "comparison/data/table_units.h"
 #include "comparison/support/constants.h"
 #include "mdr/rheology/kramers_kronig.h"
 #include "mdr/rheology/modulus_table.h"
@@ -20,7 +21,7 @@ constexpr double far_below_measured = 0.7;
 constexpr double still_relaxing = 0.1;  // tan delta: G' falls by some 15 % in a decade
 
 void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::PronyFit& fit,
-          const std::optional<Case::KramersKronigCheck>& relation, std::vector<std::string>& warnings) {
+          const std::optional<mdr::KramersKronig>& relation, std::vector<std::string>& warnings) {
   if (!relation)
     warnings.push_back(fmt::format("{}: G' and G'' are not held to each other (Kramers and Kronig): {}", file,
                                    mdr::too_sparse_for_kramers_kronig(table)));
@@ -29,7 +30,7 @@ void warn(const std::string& file, const mdr::ModulusTable& table, const mdr::Pr
         fmt::format("{}: G' and G'' contradict each other (Kramers and Kronig), most at {:.3g} Hz by {:.0f} %; no "
                     "linear viscoelastic body has these moduli, so the bars have what a body that is fitted to G' "
                     "alone would change; shift the isotherms by G' and G'' alike, or leave out the rows",
-                    file, relation->worst_frequency, 100 * relation->worst));
+                    file, relation->frequency_at_worst, 100 * relation->worst));
   if (fit.residual > bad_residual)
     warnings.push_back(
         fmt::format("{}: the Prony body misses the moduli by {:.0f} % (root mean square), most at "
@@ -52,12 +53,6 @@ double slope_of_loss(const Case::MasterCurve& data) {
   return std::log(data.loss[last] / data.loss.front()) / std::log(data.frequency[last] / data.frequency.front());
 }
 
-std::optional<Case::KramersKronigCheck> check_of(const mdr::ModulusTable& table) {
-  if (!mdr::too_sparse_for_kramers_kronig(table).empty()) return std::nullopt;
-  const auto relation = mdr::kramers_kronig(table);
-  return Case::KramersKronigCheck{relation.consistent, relation.worst, relation.frequency_at_worst};
-}
-
 }  // namespace
 
 std::optional<RelaxedModulusRange> extrapolated_range(const Case::MasterCurve& data, double fitted) {
@@ -72,11 +67,12 @@ std::optional<RelaxedModulusRange> extrapolated_range(const Case::MasterCurve& d
 
 void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& elastomer,
                       std::vector<std::string>& warnings) {
-  try {
+  input_from(file, [&] {
     std::ifstream stream(file);
     const auto table = mdr::read_modulus_table(stream, file, youngs ? 1 / (2 * (1 + elastomer.poisson_ratio)) : 1);
     const auto fit = mdr::fit_prony(table);
-    const auto relation = check_of(table);
+    const auto relation =
+        mdr::too_sparse_for_kramers_kronig(table).empty() ? std::optional(mdr::kramers_kronig(table)) : std::nullopt;
     elastomer.relaxed_modulus = fit.body.relaxed_modulus;
     elastomer.branch_moduli = fit.body.branch_moduli;
     elastomer.branch_times = fit.body.branch_times;
@@ -92,10 +88,7 @@ void fit_master_curve(const std::string& file, bool youngs, Case::Elastomer& ela
           "Elastomer / Duration of the test to how long the test lasts",
           file, table.frequency.front(), table.loss.front() / table.storage.front(), elastomer.relaxed_modulus,
           range->least, range->most));
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    throw InputError(message.find(file) == std::string::npos ? file + ": " + message : message);
-  }
+  });
 }
 
 }  // namespace fretval

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "comparison/data/table_units.h"
+#include "comparison/support/statistics.h"
 #include "mdr/support/csv_columns.h"
 #include "mdr/support/csv_units.h"
 
@@ -19,20 +20,11 @@ constexpr const char* example = R"("t,d,u_x" and "s,um,um", or "t,F_N,F_x" and "
 
 /// What a path has to have. Of a displacement and a force in one direction one alone can be prescribed.
 const std::vector<mdr::WantedColumn>& path_columns() {
+  const auto& rig = rig_columns();
   static const std::vector<mdr::WantedColumn> wanted{
-      {{{"time", {"t", "time*", "zeit*"}, mdr::time_units()}}},
-      {{{"indentation d",
-         {"d", "indentation*", "depth", "uz", "z", "eindringung*", "eindringtiefe", "normaldisp*", "normalweg"},
-         mdr::length_units()},
-        {"normal force F_N",
-         {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"},
-         mdr::force_units()}}},
-      {{{"tangential displacement u_x",
-         {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
-         mdr::length_units()},
-        {"tangential force F_x",
-         {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
-         mdr::force_units()}}},
+      {{rig[0]}},
+      {{rig[1], rig[3]}},
+      {{rig[2], rig[4]}},
       {{{"transverse displacement u_y", {"uy", "transversedisp*"}, mdr::length_units()},
         {"transverse force F_y", {"fy", "transverseforce"}, mdr::force_units()}},
        true}};
@@ -67,25 +59,13 @@ void require_rising(const std::string& file, const mdr::CsvColumns& csv) {
                                    csv.line_of_row[i], time[i], time[i - 1]));
 }
 
-double largest_of(const std::vector<double>& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-double mean_over_time(const std::vector<double>& time, const std::vector<double>& values) {
-  double sum = 0;
-  for (std::size_t i = 1; i < time.size(); ++i) sum += (time[i] - time[i - 1]) * (values[i - 1] + values[i]) / 2;
-  return sum / (time.back() - time.front());
-}
-
 /// Makes the last row equal to the first to all digits.
 void close(const std::string& file, Case::Path& path) {
   path.normal.back() = path.normal.front();
   path.tangential.back() = path.tangential.front();
   if (path.transverse.empty()) return;
   auto& across = path.transverse;
-  if (std::abs(across.back() - across.front()) > roundoff * largest_of(across))
+  if (std::abs(across.back() - across.front()) > roundoff * largest_size(across))
     throw InputError(fmt::format(
         "{0}: {1} jumps from {2:g} {4} in the last row to {3:g} {4} in the first, where the path begins "
         "again; must end where it begins, or have Motion / Path repeats = once",
@@ -108,11 +88,7 @@ std::vector<double> transverse_column(const std::string& file, mdr::ChosenColumn
         fmt::format("{}: column {} has no unit; expected one, for example \"t,d,u_x,u_y\" and "
                     "\"s,um,um,um\"",
                     file, is_force ? "F_y" : "u_y"));
-  const double size =
-      mdr::unit_of_column(chosen.csv, column, is_force ? mdr::force_units() : mdr::length_units(), file);
-  auto values = std::move(chosen.csv.columns[column]);
-  for (double& value : values) value *= size;
-  return values;
+  return std::move(chosen.csv.columns[column]);
 }
 
 /// A single pass that begins as the indenter comes to touch begins so little deeper that the body bears nothing yet: a
@@ -121,7 +97,7 @@ void begin_in_contact(Case::Path& path) {
   constexpr double share_of_the_deepest = 1e-9;
   if (path.normal_force || path.repeats || path.normal.front() != 0) return;
   path.from_touch = true;
-  path.normal.front() = share_of_the_deepest * largest_of(path.normal);
+  path.normal.front() = share_of_the_deepest * largest_size(path.normal);
 }
 
 void require_contact_at_rest(const std::string& file, const Case::Path& path) {
@@ -151,7 +127,7 @@ void require_pressing(const std::string& file, const std::vector<int>& lines, co
 /// Sets the first tangential force of a single pass to exactly 0.
 void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   if (!path.tangential_force || path.repeats) return;
-  const double largest = std::max(largest_of(path.tangential), largest_of(path.transverse));
+  const double largest = std::max(largest_size(path.tangential), largest_size(path.transverse));
   const auto begin = [&](const char* name, std::vector<double>& forces) {
     if (forces.empty()) return;
     if (std::abs(forces.front()) > roundoff * largest)
@@ -165,24 +141,11 @@ void begin_without_tangential_force(const std::string& file, Case::Path& path) {
   begin("F_y", path.transverse);
 }
 
-double half_range(const std::vector<double>& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return (*most - *least) / 2;
-}
-
 }  // namespace
-
-PathRest rest_of(const Case::Path& path) {
-  const auto at_rest = [&path](const std::vector<double>& values) {
-    return path.repeats ? mean_over_time(path.time, values) : values.front();
-  };
-  return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
-          path.transverse.empty() || path.tangential_force ? 0 : at_rest(path.transverse)};
-}
 
 Case::Path read_path_table(const std::string& file, bool repeats, const PathTolerance& tolerance,
                            std::vector<std::string>& notes) {
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
     auto chosen = mdr::read_columns(stream, file, path_columns(), mdr::InOrder::no);
     auto& csv = chosen.csv;
@@ -192,23 +155,14 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
       throw InputError(fmt::format("{}: {} {}; a path that {} needs at least {}", file, n, n == 1 ? "row" : "rows",
                                    repeats ? "repeats" : "is passed once", least));
     require_rising(file, csv);
-    for (std::size_t column = 0; column < columns.size(); ++column) {
-      const auto& kind = path_columns()[column].kinds[chosen.kind[column].value()];
-      const double size = mdr::unit_of_column(csv, column, kind.units, file);
-      for (double& value : csv.columns[column]) value *= size;
-    }
+    take_into_si(file, path_columns(), chosen);
     if (auto skipped = skipped_text(file, chosen); !skipped.empty()) notes.push_back(std::move(skipped));
     const auto is_force = [&](std::size_t column) { return chosen.kind[column] == std::optional<std::size_t>(1); };
     auto transverse = transverse_column(file, chosen, is_force(2));
     const bool as_it_is = !transverse.empty();
-    Case::Path rows{file,
-                    std::move(csv.columns[0]),
-                    std::move(csv.columns[1]),
-                    std::move(csv.columns[2]),
-                    repeats,
-                    is_force(1),
-                    is_force(2)};
-    rows.transverse = std::move(transverse);
+    Case::Path rows{{std::move(csv.columns[0]), std::move(csv.columns[1]), std::move(csv.columns[2]), repeats,
+                     is_force(1), is_force(2), std::move(transverse)},
+                    file};
     auto path = as_it_is ? std::move(rows) : path_of_record(std::move(rows), tolerance, notes);
     require_pressing(file, csv.line_of_row, path);
     if (repeats) close(file, path);
@@ -216,14 +170,13 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
     require_contact_at_rest(file, path);
     begin_without_tangential_force(file, path);
     return path;
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 Case::Motion motion_along(Case::Path path) {
   Case::Motion motion;
-  const double rest = rest_of(path).normal, normal = half_range(path.normal), tangential = half_range(path.tangential);
+  const double rest = rest_of(path).normal, normal = range_of(path.normal) / 2,
+               tangential = range_of(path.tangential) / 2;
   if (path.normal_force) {
     motion.normal_force = Case::NormalForce{rest, normal};
   } else {

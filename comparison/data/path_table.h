@@ -38,11 +38,4 @@ Case::Path read_path_table(const std::string& file, bool repeats, const PathTole
 /// The motion along a path, whose size takes the place of the entries that it replaces, see Case::Motion.
 Case::Motion motion_along(Case::Path path);
 
-/// Displacements in m at which the body rests before the motion, or forces in N under which it does: those of the first
-/// row of a single pass, or the means over time of a path that repeats. A tangential force is 0 at rest.
-struct PathRest {
-  double normal, tangential, transverse = 0;
-};
-PathRest rest_of(const Case::Path& path);
-
 }  // namespace fretval

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "comparison/data/path_table.h"
+#include "comparison/support/statistics.h"
 #include "mdr/motion/mean_cycle.h"
 
 namespace fretval {
@@ -16,17 +17,6 @@ constexpr double share_of_tolerance = 0.125;                  // of the toleranc
 constexpr double usual_tolerance = 1e-3;
 constexpr std::size_t most_rows_kept = 1000;
 constexpr double deviations = 4;  // of noise, that a row hardly exceeds
-
-double largest_size(const Values& values) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
-double range_of(const Values& values) {
-  const auto [least, most] = std::minmax_element(values.begin(), values.end());
-  return *most - *least;
-}
 
 const char* unit_of(bool force) {
   return force ? "N" : "m";

@@ -4,18 +4,41 @@
 
 #include <fstream>
 
-#include "comparison/case/case.h"
 #include "mdr/support/csv_units.h"
 
 namespace fretval {
+
+const std::vector<mdr::ColumnKind>& rig_columns() {
+  static const std::vector<mdr::ColumnKind> kinds{
+      {"time", {"t", "time*", "zeit*"}, mdr::time_units()},
+      {"indentation d",
+       {"d", "indentation*", "depth", "uz", "z", "eindringung*", "eindringtiefe", "normaldisp*", "normalweg"},
+       mdr::length_units()},
+      {"tangential displacement u_x",
+       {"ux", "x", "displacement", "disp", "tangentialdisp*", "stroke", "weg", "lateraldisp*", "slide"},
+       mdr::length_units()},
+      {"normal force F_N", {"fn", "fz", "n", "normalforce", "normalkraft", "normalload", "load"}, mdr::force_units()},
+      {"tangential force F_x",
+       {"fx", "ft", "q", "tangentialforce", "frictionforce", "lateralforce", "reibkraft", "tangentialkraft"},
+       mdr::force_units()}};
+  return kinds;
+}
 
 std::string skipped_text(const std::string& file, const mdr::ChosenColumns& chosen) {
   return chosen.skipped.empty() ? "" : fmt::format("{}: skipped: {}", file, chosen.skipped);
 }
 
+void take_into_si(const std::string& file, const std::vector<mdr::WantedColumn>& wanted, mdr::ChosenColumns& chosen) {
+  for (std::size_t column = 0; column < wanted.size(); ++column) {
+    if (!chosen.kind[column]) continue;
+    const double size = mdr::unit_of_column(chosen.csv, column, wanted[column].kinds[*chosen.kind[column]].units, file);
+    for (double& value : chosen.csv.columns[column]) value *= size;
+  }
+}
+
 std::string require_units(const std::string& file, const std::vector<mdr::WantedColumn>& wanted) {
   const char* const example = wanted.size() == 2 ? "\"r,f\" and \"mm,um\"" : "\"f,G',G''\" and \"Hz,MPa,MPa\"";
-  try {
+  return input_from(file, [&] {
     std::ifstream stream(file);
     const auto chosen = mdr::read_columns(stream, file, wanted, mdr::InOrder::yes);
     for (std::size_t column = 0; column < wanted.size(); ++column) {
@@ -27,9 +50,7 @@ std::string require_units(const std::string& file, const std::vector<mdr::Wanted
                         file, column + 1, example));
     }
     return skipped_text(file, chosen);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
 }
 
 }  // namespace fretval

@@ -10,16 +10,11 @@
 
 namespace fretval {
 
-/// Relative error of MDR: its value over the truth, less 1.
-struct ModelError {
-  double value, uncertainty;
-};
-
 /// How good MDR over the body of a case is as a model: the changes by friction of any direction and, where the body
 /// couples pressure and friction, by the coupling.
 struct ModelErrors {
-  std::map<Quantity, ModelError> off_by;
-  std::string outside = {};  ///< why the maps do not have the case; not empty: then there are no values
+  std::map<Quantity, Interpolated> off_by;  ///< relative errors of MDR: its value over the truth, less 1
+  std::string outside = {};                 ///< why the maps do not have the case; not empty: then there are no values
 
   /// The larger error of the two stick radii, with its uncertainty included. Empty: neither radius is on the maps.
   [[nodiscard]] std::optional<double> good_to() const;

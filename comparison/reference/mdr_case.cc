@@ -144,12 +144,6 @@ bool is_comparable(const Case& input) {
   return why_not_comparable(input).empty();
 }
 
-void require_comparable(const Case& input) {
-  const std::string reason = why_not_comparable(input);
-  if (!reason.empty())
-    throw InputError(fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", input.file, reason));
-}
-
 std::vector<std::string> beyond_mdr_model(const Case& input) {
   std::vector<std::string> reasons;
   if (input.body.shape == Case::Body::Shape::cylinder) reasons.emplace_back("the body is a cylinder");
@@ -220,7 +214,9 @@ std::optional<LimitingIndenter> limiting_indenter(const MdrCase& mdr) {
 }
 
 MdrCase mdr_case(const Case& input_of_any_body) {
-  require_comparable(input_of_any_body);
+  if (const auto reason = why_not_comparable(input_of_any_body); !reason.empty())
+    throw InputError(
+        fmt::format("{}: {} by the finite elements; `fretval mdr` answers this case", input_of_any_body.file, reason));
   require_known_body(input_of_any_body);
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   const auto& motion = input.motion;
@@ -239,9 +235,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   mdr.displacement = displacement;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path) {
-    mdr.path = mdr::SampledPath{motion.path->time,      motion.path->normal,       motion.path->tangential,
-                                motion.path->repeats,   motion.path->normal_force, motion.path->tangential_force,
-                                motion.path->transverse};
+    mdr.path = *motion.path;
     mdr.motion_kind = motion_kind_of(motion);
   }
   if (is_layer_of_mdr(input))

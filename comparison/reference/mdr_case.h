@@ -68,17 +68,14 @@ ExpectedContact expected_contact(const MdrCase& mdr);
 /// Empty: the case asks for no limiting profile.
 std::optional<LimitingIndenter> limiting_indenter(const MdrCase& mdr);
 
-/// Throws InputError for a case that is not comparable (see require_comparable), for what has no meaning where MDR does
+/// Throws InputError for a case that is not comparable (see is_comparable), for what has no meaning where MDR does
 /// not hold for the profile (prescribed forces, limiting profiles, wear), or for a limiting state that no tangential
 /// amplitude leads to, std::invalid_argument for values that the reference refuses.
 MdrCase mdr_case(const Case& input);
 
-/// Throws InputError, naming the entry, for a case that only the reference covers: three frequencies or more of which
-/// no two have a common period, frequencies more than a factor of 1000 apart, a prescribed normal force that is not
-/// always positive.
-void require_comparable(const Case& input);
-
-/// Whether require_comparable would not throw.
+/// Whether finite elements compute the case, too. Only the reference covers three frequencies or more of which no two
+/// have a common period, frequencies more than a factor of 1000 apart, and a prescribed normal force that is not always
+/// positive.
 bool is_comparable(const Case& input);
 
 /// What of a case MDR does not compute, for people: "the body is a cylinder", "friction is a vector", "pressure and

@@ -237,7 +237,7 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
   if (curve.kramers_kronig)
     check = {{"consistent", curve.kramers_kronig->consistent},
              {"worst", curve.kramers_kronig->worst},
-             {"worst_frequency", curve.kramers_kronig->worst_frequency}};
+             {"worst_frequency", curve.kramers_kronig->frequency_at_worst}};
   return {{"table", curve.table},
           {"frequencies", curve.frequency.size()},
           {"relaxed_modulus", elastomer.relaxed_modulus},

@@ -12,6 +12,7 @@
 #include "comparison/results/verdict_text.h"
 #include "comparison/support/json.h"
 #include "comparison/support/log.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {
@@ -79,7 +80,7 @@ std::string wear_text(const ProvedSurfaceWear& wear, const Units& units, const o
 
 /// A share in percent, to so many significant digits, or whole where it has more of them: never as a power of ten.
 std::string percent_text(double share, int digits, bool with_sign = false) {
-  const double percent = 100 * share, rounded = std::stod(fmt::format("{:.{}e}", percent, digits - 1));
+  const double percent = 100 * share, rounded = to_digits(percent, digits);
   const auto text = std::abs(rounded) < std::pow(10, digits) ? fmt::format("{:.{}g}", percent, digits)
                                                              : fmt::format("{:.0f}", percent);
   return with_sign && !std::signbit(percent) ? "+" + text : text;
@@ -91,6 +92,28 @@ std::string reading_text(Quantity quantity, const Scales& scales, const Reading&
   return reading.value
              ? with_unit(rounded(*reading.value), rounded(reading.uncertainty.value_or(0)), traits_of(quantity).unit)
              : "none";
+}
+
+/// "its image g(x) falls for x = 502 to 600 µm. MDR's springs would bear +3.1 % and reach -0.2 % further, at rest at
+/// the largest indentation": of the key "not_compared".
+std::string beyond_text(const ordered_json& not_compared) {
+  std::string text;
+  const auto length = [](const ordered_json& value) {
+    return value == 0.0 ? "0" : with_prefix(value.get<double>(), "m", 4);
+  };
+  const auto& falls = not_compared.at("image_falls");
+  const auto noise = number_in(not_compared, "table_noise");
+  if (noise) text = noise_text(*noise) + ". As it is, ";
+  for (std::size_t k = 0; k < std::min(falls.size(), most_listed); ++k)
+    text += fmt::format("{}{} to {}", k == 0 ? "its one-dimensional image g(x) falls for x = " : ", ",
+                        length(falls[k].at("from")), length(falls[k].at("to")));
+  if (falls.size() > most_listed) text += fmt::format(" and in {} places more", falls.size() - most_listed);
+  const auto& at_rest = not_compared.at("at_rest");
+  return text + fmt::format(
+                    ". At rest at the largest indentation its springs would be off by {} % of the normal force and "
+                    "{} % of the contact radius",
+                    percent_text(at_rest.at("normal_force_difference").get<double>(), 2, true),
+                    percent_text(at_rest.at("contact_radius_difference").get<double>(), 2, true));
 }
 
 /// The answer of finite elements alone, for a profile that MDR does not hold for.
@@ -252,26 +275,6 @@ Answer answer_of(const ordered_json& result) {
   }
   std::stable_partition(answer.rows.begin(), answer.rows.end(), [](const AnswerRow& row) { return row.asked; });
   return answer;
-}
-
-std::string beyond_text(const ordered_json& not_compared) {
-  std::string text;
-  const auto length = [](const ordered_json& value) {
-    return value == 0.0 ? "0" : with_prefix(value.get<double>(), "m", 4);
-  };
-  const auto& falls = not_compared.at("image_falls");
-  const auto noise = number_in(not_compared, "table_noise");
-  if (noise) text = noise_text(*noise) + ". As it is, ";
-  for (std::size_t k = 0; k < std::min(falls.size(), most_listed); ++k)
-    text += fmt::format("{}{} to {}", k == 0 ? "its one-dimensional image g(x) falls for x = " : ", ",
-                        length(falls[k].at("from")), length(falls[k].at("to")));
-  if (falls.size() > most_listed) text += fmt::format(" and in {} places more", falls.size() - most_listed);
-  const auto& at_rest = not_compared.at("at_rest");
-  return text + fmt::format(
-                    ". At rest at the largest indentation its springs would be off by {} % of the normal force and "
-                    "{} % of the contact radius",
-                    percent_text(at_rest.at("normal_force_difference").get<double>(), 2, true),
-                    percent_text(at_rest.at("contact_radius_difference").get<double>(), 2, true));
 }
 
 std::string annuli_text(const ordered_json& annuli) {

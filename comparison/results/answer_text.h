@@ -38,10 +38,6 @@ Scales scales_of(const nlohmann::ordered_json& result);
 /// none.
 std::optional<Reading> fe_reading(const nlohmann::ordered_json& result, Quantity quantity);
 
-/// "its image g(x) falls for x = 502 to 600 µm. MDR's springs would bear +3.1 % and reach -0.2 % further, at rest at
-/// the largest indentation": of the key "not_compared".
-std::string beyond_text(const nlohmann::ordered_json& not_compared);
-
 /// "0 to 502.1 ± 0.4 µm, 610 ± 1 to 702 ± 1 µm", of a list of annuli in such a JSON; "none" without any.
 std::string annuli_text(const nlohmann::ordered_json& annuli);
 

@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "comparison/accuracy/fe_readings.h"
-#include "comparison/data/path_table.h"
 #include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/results/period_steps.h"

@@ -47,14 +47,9 @@ void add_wear(ProvedWear&& wear, CaseResult& result);
 /// The whole of result.json, with the keys of the documentation in docs/results.md.
 nlohmann::ordered_json result_json(const CaseResult& result);
 
-/// cycle.json, what happens under the indenter in the last period, SI units:
-///   r      outer radii of the rings
-///   t      instants, at most 48, the end of the period among them; p and tau of the rings, a list an instant
-///   zones  a text a step, at most 360, a letter a ring: o open, s sticks, f and b slips forward and backward
-///   mdr    of an unworn indenter: r, and p, tau at the largest indentation; d, u_x, F_N, F_x over the period;
-///          friction_work in J per period
-/// mdr is from springs; not there if they do not become periodic, or for a point of a sweep.
-/// Five digits of each number.
+/// cycle.json, what happens under the indenter in the last period, see docs/results.md. SI units, five digits of each
+/// number; at most 48 instants, the end of the period among them, and the zones of at most 360 steps. mdr is from
+/// springs, and not there if these do not become periodic.
 nlohmann::ordered_json cycle_json(const CaseResult& result);
 
 /// Cost of an answer of the finite elements: seconds (mesh, assembly, factorisation, normal_history, friction_history),
@@ -71,16 +66,12 @@ void withdraw_result(const std::filesystem::path& folder);
 void write_result(const CaseResult& result, const nlohmann::ordered_json& json, const mdr::NormalResponse& reference,
                   const std::filesystem::path& folder);
 
-/// The key "zones" of finite elements in result.json: `contact`, `first_slip`, `shakedown`, each a list of annuli from
-/// the axis outwards, with `inner`, `outer` and their bars `inner_bar`, `outer_bar` in m (null: none was measured,
-/// refinements have other zones, or it is the centre of a disc); `why_no_radius`, by zone: why a stick zone is not one
-/// disc, otherwise null; `contact_uncertainty`, m; `pressure_max_bar`, Pa. length: the unit of the bars, m.
+/// The key "zones" of finite elements in result.json where zones are annuli, see docs/results.md; SI units. length: the
+/// unit of the bars, m.
 nlohmann::ordered_json zones_json(const ZoneAnswer& zones, const std::optional<ZoneBudget>& bars, double length);
 
-/// The key "zones" of a case of any kind. For the contact on rings and angles it has `never_slipped`,
-/// `sticks_in_a_cycle` (not for a single pass) and `contact`, each with `area` in m², `radius` of the disc of that
-/// area, half of its extents `along` x and `across`, in m, and their bars (null: none was measured); `torque_max` in N
-/// m. Null: zones are discs.
+/// The key "zones" of a case of any kind, for the contact on rings and angles see docs/full_contact.md; SI units. Null:
+/// zones are discs.
 nlohmann::ordered_json zones_json(const CaseResult& result);
 
 /// The key "not_compared": where the image of the profile falls, and the errors that MDR's springs would make
@@ -92,9 +83,7 @@ const char* name_of(fem::WearEnd end);
 /// Lists of the values at all points of a course; SI units.
 nlohmann::ordered_json course_json(const fem::WearCourse& course, const Units& units);
 
-/// "fe.wear" of result.json: the course with the same keys as that of the reference (`cycles`, `volume`, `deepest`,
-/// `friction_work`, `contact_radius`, `stick_radius`; the final `worn_depth` over `r`), and `law`, `end`,
-/// `distance_to_limit`, `pressed_outside`, `zones`, what it cost. SI units.
+/// "fe.wear" of result.json, see docs/results.md; SI units.
 nlohmann::ordered_json to_json(const ProvedWear& wear, const Units& units);
 
 /// worn_profile.csv: radius and height of the worn indenter, from the centre on, as Wear / Profile and a table of an
@@ -110,12 +99,8 @@ nlohmann::ordered_json to_json(const ProvedSurfaceWear& wear, const Units& units
 /// largest pressure of the last cycle.
 void write_surface_wear(const ProvedSurfaceWear& wear, const Units& units, const std::filesystem::path& folder);
 
-/// Files of the contact on rings and angles, of its last cycle, SI units:
-///   history.csv   t, d, u_x, u_y at the ends of the steps; F_N, F_x, F_y and the torque about z at their balance
-///   surface.csv   a row for each point: ring and angle, pressures and tractions at the end, whether it sticks
-///   surface.vtu   the same as pieces of rings, for ParaView: the traction on the body as a vector with p
-///                 along z, the pressure, and the zone
-///   zones.csv     edges of the zones over the angle
+/// history.csv, surface.csv, surface.vtu and zones.csv of the contact on rings and angles, of its last cycle, see
+/// docs/full_contact.md; SI units. Motions are those at the ends of the steps, forces those of their balance.
 void write_surface_files(const FeAnswer& fe, const FemCase& fem, const std::filesystem::path& folder);
 
 /// Writes fields of the last period of an answer into a folder, for ParaView: fields.pvd, the plane in which the

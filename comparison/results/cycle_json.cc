@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
-#include <cstdlib>
-
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/period_steps.h"
 #include "comparison/support/constants.h"
+#include "comparison/support/statistics.h"
 #include "fem/ring_contact/stick_zone/slip_decay.h"
 #include "mdr/springs/spring_fields.h"
 
@@ -14,14 +11,12 @@ namespace {
 
 using nlohmann::ordered_json;
 
-double five_digits(double value) {
-  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
-}
+constexpr int n_digits = 5;
 
 template <class Numbers>
 ordered_json list_of(const Numbers& numbers, double unit = 1) {
   auto list = ordered_json::array();
-  for (const double number : numbers) list.push_back(five_digits(number * unit));
+  for (const double number : numbers) list.push_back(to_digits(number * unit, n_digits));
   return list;
 }
 
@@ -117,7 +112,7 @@ ordered_json cycle_json(const CaseResult& result) {
                     {"tau", ordered_json::array()},
                     {"zones", ordered_json::array()}};
   for (const auto k : frames_of(result.fe.fe, 48)) {
-    json["t"].push_back(five_digits(end_of_step(result, k)));
+    json["t"].push_back(to_digits(end_of_step(result, k), n_digits));
     json["p"].push_back(list_of(Eigen::VectorXd(normal.pressure.col(normal.column(first + k))), units.pressure()));
     json["tau"].push_back(list_of(Eigen::VectorXd(friction.traction.col(k)), units.pressure()));
   }

@@ -10,6 +10,7 @@
 #include "comparison/results/case_result.h"
 #include "comparison/support/constants.h"
 #include "comparison/support/files.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {
@@ -18,14 +19,14 @@ using nlohmann::ordered_json;
 using Values = std::vector<double>;
 using Value = Case::Measured::Value;
 
-constexpr std::size_t most_rows = 2000;
+Eigen::VectorXd vector_of(const Values& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
 
-/// Some of the rows at equal distances: more would not be seen.
-Eigen::VectorXd thinned(const Values& values) {
-  const std::size_t stride = (values.size() + most_rows - 1) / most_rows;
-  Values few;
-  for (std::size_t i = 0; i < values.size(); i += std::max<std::size_t>(stride, 1)) few.push_back(values[i]);
-  return Eigen::Map<const Eigen::VectorXd>(few.data(), static_cast<Eigen::Index>(few.size()));
+/// A column with some of the rows: more would not be seen.
+Column some_rows(const char* name, const Values& values) {
+  constexpr std::size_t most_rows = 2000;
+  return {name, vector_of(thinned(values, most_rows))};
 }
 
 /// What the aligned profile, linear between its rows, leaves of each row of the trace; NaN beyond it.
@@ -86,10 +87,6 @@ ordered_json test_json(const Case::TestDuration& test) {
 const double radians_per_cycle = 2 * pi;
 constexpr Eigen::Index n_frequencies = 121;
 
-Eigen::VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 std::vector<double> frequencies_of_interest(const Case& input, const mdr::PronyBody& body) {
   std::vector<double> all;
   for (const double time : body.branch_times) all.push_back(1 / (radians_per_cycle * time));
@@ -110,12 +107,6 @@ double area_of(const std::vector<double>& x, const std::vector<double>& y) {
   return std::abs(sum);
 }
 
-double largest_of_all(const std::vector<double>& values, bool absolute) {
-  double largest = 0;
-  for (const double value : values) largest = std::max(largest, absolute ? std::abs(value) : value);
-  return largest;
-}
-
 std::map<Quantity, Value> values_of(const Case& input) {
   const auto& measured = *input.measured;
   const auto kind = motion_kind_of(input.motion);
@@ -123,9 +114,10 @@ std::map<Quantity, Value> values_of(const Case& input) {
   if (measured.stick_radius) values[lasting_stick_radius(kind)] = *measured.stick_radius;
   if (measured.contact_radius) values[Quantity::contact_radius_max] = *measured.contact_radius;
   if (!measured.normal_force.empty())
-    values[Quantity::normal_force_max] = {largest_of_all(measured.normal_force, false), 0};
+    values[Quantity::normal_force_max] = {
+        std::max(0.0, *std::max_element(measured.normal_force.begin(), measured.normal_force.end())), 0};
   if (!measured.tangential_force.empty())
-    values[Quantity::tangential_force_max] = {largest_of_all(measured.tangential_force, true), 0};
+    values[Quantity::tangential_force_max] = {largest_size(measured.tangential_force), 0};
   if (!is_pass(kind) && !measured.tangential_force.empty() && !measured.tangential_displacement.empty())
     values[Quantity::tangential_work] = {area_of(measured.tangential_displacement, measured.tangential_force), 0};
   return values;
@@ -135,10 +127,9 @@ std::map<Quantity, Value> values_of(const Case& input) {
 
 void write_data(const Case& input, const std::filesystem::path& folder) {
   if (const auto& trace = input.indenter.trace) {
-    write_csv(
-        folder / "trace.csv",
-        {{"x [m]", thinned(trace->x)}, {"z [m]", thinned(trace->z)}, {"residual [m]", thinned(residuals_of(*trace))}});
-    write_csv(folder / "aligned_profile.csv", {{"r [m]", thinned(trace->r)}, {"f [m]", thinned(trace->f)}});
+    write_csv(folder / "trace.csv", {some_rows("x [m]", trace->x), some_rows("z [m]", trace->z),
+                                     some_rows("residual [m]", residuals_of(*trace))});
+    write_csv(folder / "aligned_profile.csv", {some_rows("r [m]", trace->r), some_rows("f [m]", trace->f)});
   }
   if (!input.measured || input.measured->loop.empty()) return;
   const auto& measured = *input.measured;
@@ -148,7 +139,7 @@ void write_data(const Case& input, const std::filesystem::path& folder) {
                                      {"u_x [m]", &measured.tangential_displacement},
                                      {"F_N [N]", &measured.normal_force},
                                      {"F_x [N]", &measured.tangential_force}})
-    if (!values->empty()) columns.push_back({name, thinned(*values)});
+    if (!values->empty()) columns.push_back(some_rows(name, *values));
   write_csv(folder / "measured_loops.csv", columns);
 }
 

@@ -15,6 +15,7 @@
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
+#include "comparison/results/verdict_text.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
@@ -28,9 +29,9 @@ constexpr double unworn_beside_wear = 0.05;  // of the time that both take
 /// The line of a result, with what is told and kept of it.
 void finish(const CaseResult& result, const mdr::NormalResponse& reference, const BatchOptions& options,
             BatchLine& line) {
-  line.largest_use = largest_use(result.comparison, line.name);
   line.outcome = outcome_of(result);
   const auto json = result_json(result);
+  line.largest_use = largest_use(json);
   line.answer = answer_text(result, json);
   line.json = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
   if (!options.output.empty()) write_result(result, json, reference, options.output / line.name);
@@ -152,19 +153,16 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
 
 }  // namespace
 
-ToleranceUse largest_use(const Comparison& comparison, const std::string& name) {
+ToleranceUse largest_use(const nlohmann::ordered_json& result) {
   ToleranceUse largest;
-  for (const auto& [quantity, d] : comparison) {
-    const double share = d.size() / d.tolerance;
-    if (!d.asked || share <= largest.share) continue;
-    largest = {share, use_text(quantity, name, d.size(), d.tolerance, d.only_one != 0)};
+  for (const auto& d : stored_differences(result)) {
+    const double share = d.size / d.tolerance;
+    if (!d.asked || !(share > largest.share)) continue;
+    largest = {share, fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(d.quantity).title,
+                                  result.at("name").get<std::string>(), d.size, d.tolerance,
+                                  d.only_one ? ", only one of the two sticks" : "")};
   }
   return largest;
-}
-
-std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one) {
-  return fmt::format("{} in {}, off by {:.1e} of {:.1e}{}", traits_of(quantity).title, name, size, tolerance,
-                     only_one ? ", only one of the two sticks" : "");
 }
 
 BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& options, BodyStore& bodies,

@@ -3,6 +3,7 @@
 #include <exception>
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +20,8 @@ struct ToleranceUse {
   std::string text = {};  ///< the quantity, the case, the difference and the tolerance
 };
 
-/// The largest use of a tolerance in the comparison of a case.
-ToleranceUse largest_use(const Comparison& comparison, const std::string& name);
-
-/// Text of a use of a tolerance: quantity, case, difference and tolerance.
-std::string use_text(Quantity quantity, const std::string& name, double size, double tolerance, bool only_one);
+/// The largest use of a tolerance in a result.json.
+ToleranceUse largest_use(const nlohmann::ordered_json& result);
 
 /// Result of one case of a batch.
 struct BatchLine {

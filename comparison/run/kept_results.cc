@@ -59,16 +59,6 @@ bool is_of_this_case(const ordered_json& result, const Case& input, Proof proof)
          result["scene"].value("inputs", ordered_json()) == ordered_json::parse(inputs_json(input).dump());
 }
 
-ToleranceUse largest_use_of(const ordered_json& result) {
-  ToleranceUse largest;
-  for (const auto& d : stored_differences(result)) {
-    const double share = d.size / d.tolerance;
-    if (!d.asked || !(share > largest.share)) continue;
-    largest = {share, use_text(d.quantity, result.at("name"), d.size, d.tolerance, d.only_one)};
-  }
-  return largest;
-}
-
 }  // namespace
 
 std::optional<BatchLine> kept_line(const PreparedCase& prepared, Proof proof, const fs::path& output) {
@@ -82,7 +72,7 @@ std::optional<BatchLine> kept_line(const PreparedCase& prepared, Proof proof, co
   line.outcome = stored_outcome(result);
   line.answer = kept_answer_text(result);
   line.json = result.dump();
-  line.largest_use = largest_use_of(result);
+  line.largest_use = largest_use(result);
   return line;
 }
 

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "comparison/data/table_units.h"
 #include "comparison/support/constants.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/prony_approximation.h"
@@ -19,15 +20,12 @@ namespace {
 /// Heights that scatter are those of a convex profile.
 mdr::Profile profile_from_table(const Case::Indenter& indenter) {
   std::ifstream stream(indenter.table);
-  try {
+  return input_from(indenter.table, [&]() -> mdr::Profile {
     if (const auto& trace = indenter.trace) return mdr::tabulated(trace->r, trace->f, trace->row_noise);
     if (indenter.table_noise != 0) return mdr::read_profile_table(stream, indenter.table, indenter.table_noise);
     const auto rows = mdr::read_profile_rows(stream, indenter.table);
     return mdr::tabulated_as_it_is(rows.r, rows.f);
-  } catch (const std::invalid_argument& error) {
-    const std::string message = error.what();
-    throw InputError(message.find(indenter.table) == std::string::npos ? indenter.table + ": " + message : message);
-  }
+  });
 }
 
 std::optional<double> phase_of(const Case::Motion& motion) {

@@ -1,9 +1,11 @@
 #include "comparison/support/statistics.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
+#include <cstdlib>
 
 namespace fretval {
 
@@ -13,6 +15,28 @@ std::optional<double> quantile(std::vector<double> values, double share) {
   const std::size_t place = rank == 0 ? 0 : rank - 1;
   std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(place), values.end());
   return values[place];
+}
+
+double largest_size(const std::vector<double>& values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+double range_of(const std::vector<double>& values) {
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return *most - *least;
+}
+
+std::vector<double> thinned(const std::vector<double>& values, std::size_t most) {
+  const std::size_t stride = std::max<std::size_t>((values.size() + most - 1) / most, 1);
+  std::vector<double> few;
+  for (std::size_t i = 0; i < values.size(); i += stride) few.push_back(values[i]);
+  return few;
+}
+
+double to_digits(double value, int digits) {
+  return std::strtod(fmt::format("{:.{}g}", value, digits).c_str(), nullptr);
 }
 
 std::optional<LogSlope> log_slope(const std::vector<double>& x, const std::vector<double>& y, double floor) {

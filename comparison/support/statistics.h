@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,18 @@ namespace fretval {
 
 /// The value that a share of the values, 0 to 1, does not exceed (nearest rank); empty for none.
 std::optional<double> quantile(std::vector<double> values, double share);
+
+/// The largest absolute value; 0 for none.
+double largest_size(const std::vector<double>& values);
+
+/// The largest value less the smallest of one or more.
+double range_of(const std::vector<double>& values);
+
+/// Some of the values at equal distances, as many as possible but at most so many, for drawings.
+std::vector<double> thinned(const std::vector<double>& values, std::size_t most);
+
+/// The number with so many significant digits.
+double to_digits(double value, int digits);
 
 /// A power law fitted to points.
 struct LogSlope {

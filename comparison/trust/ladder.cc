@@ -101,12 +101,6 @@ std::vector<Rung> rungs_of(const Case& input) {
   return rungs;
 }
 
-Case case_without_coupling(const Case& input) {
-  auto all = input;
-  all.contact = {has_vector_friction(input), false};
-  return all;
-}
-
 std::optional<Case> coupled_case(const Case& input) {
   if (!has_vector_friction(input) || (input.body.is_half_space() && input.elastomer.poisson_ratio == incompressible))
     return {};
@@ -185,7 +179,8 @@ Ladder ladder_of(const Case& input, BodyStore& bodies) {
     ladder.rungs.push_back({rung, off(ladder.mdr, *all)});
   }
   const auto coupled = coupled_case(input);
-  const Rung without{"whole", coupled ? "all of these" : "the case as it is", case_without_coupling(input)};
+  Rung without{"whole", coupled ? "all of these" : "the case as it is", input};
+  without.input.contact = {has_vector_friction(input), false};
   if (ladder.rungs.size() != 1) all = proved(without, bodies);
   if (coupled) {
     const auto before = all->readings();

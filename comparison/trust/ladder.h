@@ -23,9 +23,6 @@ struct Rung {
 /// case file says of it; friction is a vector on a rung wherever the full contact computes the motion.
 std::vector<Rung> rungs_of(const Case& input);
 
-/// The case with all of MDR's assumptions dropped, except that pressure and friction are not coupled.
-Case case_without_coupling(const Case& input);
-
 /// The case with all of MDR's assumptions dropped, the coupling of pressure and friction included; empty: an
 /// incompressible half-space does not couple them, or friction is not computed as a vector.
 std::optional<Case> coupled_case(const Case& input);

@@ -151,11 +151,6 @@ std::string heads_of(const Ladder& ladder) {
 
 }  // namespace
 
-std::optional<Quantity> quantity_of_headline(const Ladder& ladder) {
-  const auto radius = radius_of_headline(ladder);
-  return radius ? std::optional(radius->quantity) : std::nullopt;
-}
-
 std::string headline_of(const Ladder& ladder) {
   const auto radius = radius_of_headline(ladder);
   if (!radius) return "neither finite elements nor MDR find a contact to compare";
@@ -186,7 +181,7 @@ std::string ladder_text(const std::string& name, const Ladder& ladder) {
 
 ordered_json ladder_json(const Case& input, const Ladder& ladder) {
   ordered_json json{{"name", input.name}, {"headline", headline_of(ladder)}};
-  if (const auto quantity = quantity_of_headline(ladder)) json["headline_quantity"] = name_of(*quantity);
+  if (const auto radius = radius_of_headline(ladder)) json["headline_quantity"] = name_of(radius->quantity);
   json["mdr"] = ordered_json::object();
   for (const auto quantity : quantities_by_interest)
     if (ladder.whole.off_by.count(quantity) > 0) json["mdr"][name_of(quantity)] = ladder.mdr.at(quantity).value.value();

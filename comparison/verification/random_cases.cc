@@ -12,6 +12,7 @@
 #include "comparison/support/parallel.h"
 #include "comparison/support/progress.h"
 #include "comparison/support/random_numbers.h"
+#include "comparison/support/statistics.h"
 #include "comparison/support/stopwatch.h"
 #include "comparison/verification/suites.h"
 #include "comparison/verification/written_case.h"
@@ -31,7 +32,7 @@ struct Scale {
 
 /// A value to six digits: case files are short, and the roundoff of a library's exp and log does not show.
 double rounded(double value) {
-  return std::stod(fmt::format("{:.6g}", value));
+  return to_digits(value, 6);
 }
 
 Scale draw_scale(RandomNumbers& random) {

@@ -42,7 +42,7 @@ PathRest rest_of(const SampledPath& path) {
     return path.repeats ? mean_over_time(path.time, values) : values.front();
   };
   return {at_rest(path.normal), path.tangential_force ? 0 : at_rest(path.tangential),
-          path.transverse.empty() ? 0 : at_rest(path.transverse)};
+          path.transverse.empty() || path.tangential_force ? 0 : at_rest(path.transverse)};
 }
 
 double maximum_normal(const SampledPath& path) {

@@ -19,14 +19,6 @@ using Numbers = std::vector<double>;
 
 constexpr std::size_t most_points = 720;  // of a history; more are not seen
 
-Numbers thinned_to_most(const Numbers& values) {
-  const auto stride = (values.size() + most_points - 1) / most_points;
-  if (stride < 2) return values;
-  Numbers few;
-  for (std::size_t i = 0; i < values.size(); i += stride) few.push_back(values[i]);
-  return few;
-}
-
 Numbers column_of(const StoredResult& r, const char* file, const char* x, const char* y) {
   return read_columns(r.folder / file, x, y).second;
 }
@@ -163,8 +155,8 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop&
   if (const auto mdr = cycle.find("mdr"); mdr != cycle.end())
     plot.series.push_back(
         {"MDR", length.of(numbers_of(mdr->at(x_name))), force.of(numbers_of(mdr->at(y_name))), Series::Style::line, 0});
-  plot.series.push_back(
-      {"finite elements", length.of(thinned_to_most(x)), force.of(thinned_to_most(y)), Series::Style::points, 1});
+  plot.series.push_back({"finite elements", length.of(thinned(x, most_points)), force.of(thinned(y, most_points)),
+                         Series::Style::points, 1});
   for (auto& series :
        measured_series(r, fmt::format("{} [m]", x_name), fmt::format("{} [N]", y_name), length.factor, force.factor))
     plot.series.push_back(std::move(series));
@@ -174,7 +166,7 @@ Figure loop_figure(const StoredResult& r, const ordered_json& cycle, const Loop&
 /// Several directions over time: a column of history.csv and its name each.
 Figure course_figure(const StoredResult& r, const char* title, const std::string& what, const std::string& unit,
                      const std::vector<std::pair<const char*, const char*>>& columns) {
-  auto t = thinned_to_most(column_of(r, "history.csv", "t [s]", "t [s]"));
+  auto t = thinned(column_of(r, "history.csv", "t [s]", "t [s]"), most_points);
   const double start = t.front();
   for (double& time : t) time -= start;
   std::vector<Numbers> values;
@@ -187,8 +179,8 @@ Figure course_figure(const StoredResult& r, const char* title, const std::string
   Plot plot{title, "t in " + time.unit, what + " in " + size.unit};
   for (std::size_t k = 0; k < columns.size(); ++k)
     if (!values[k].empty())
-      plot.series.push_back({columns[k].second, time.of(t), size.of(thinned_to_most(values[k])), Series::Style::line,
-                             static_cast<int>(k)});
+      plot.series.push_back({columns[k].second, time.of(t), size.of(thinned(values[k], most_points)),
+                             Series::Style::line, static_cast<int>(k)});
   return {std::move(plot), words_for(r).motion};
 }
 

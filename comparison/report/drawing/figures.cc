@@ -116,12 +116,10 @@ Figure stick_radius_figure(const Members& results, const std::string& shape, con
   }
   plot.x_range = {0, 180};
   plot.y_range = {0, 0.9};
-  std::string list;
-  for (const auto& name : rheologies) list += (list.empty() ? "" : ", ") + name;
   auto caption = fmt::format(
       "{}. Lines: MDR. Full points: finite elements, {}; open points: the other rheologies with the same modulus "
       "ratio. Rheologies shown: {}. A missing point: nothing sticks.",
-      plot.title, leading.begin()->second.rheology, list);
+      plot.title, leading.begin()->second.rheology, fmt::join(rheologies, ", "));
   return {std::move(plot), std::move(caption)};
 }
 

@@ -1,13 +1,11 @@
 #include "comparison/report/drawing/plots.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "comparison/results/answer_text.h"
+#include "comparison/support/statistics.h"
 
 namespace fretval {
 namespace {
@@ -17,8 +15,7 @@ constexpr std::array style_names{"line",   "dashed",       "thin line",   "line 
                                  "points", "small points", "open points", "triangles"};
 
 std::vector<double> rounded(std::vector<double> values) {
-  for (double& value : values)
-    if (std::isfinite(value)) value = std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
+  for (double& value : values) value = to_digits(value, 6);
   return values;
 }
 

@@ -173,7 +173,7 @@
 
   function drawSeries(element, plot) {
     const root = d3.select(element);
-    const state = {off: new Set(), zoom: null, frame: plot.frames?.start ?? 0, picked: null};
+    const state = {off: new Set(), zoom: null, frame: plot.frames?.start ?? 0};
     const yOf = (k) => plot.frames?.y[k]?.[state.frame] ?? plot.series[k].y;
     const tools = head(root, plot, () => [["series", flat(plot.x_label), flat(plot.y_label), "error bar"], ...plot.series.flatMap((s, k) => s.x.map((x, i) => [flat(s.label), x, yOf(k)[i], s.bar?.[i]]))],
       () => standalone(element, draw, plot.series.flatMap((s, k) => (s.label && !state.off.has(k) ? [{label: s.label, mark: markOf(s)}] : [])), plot.title + (plot.frames ? `, ${plot.frames.names[state.frame]}` : "")));
@@ -224,7 +224,7 @@
       if (span?.[0] !== undefined && span && span[1] - span[0] < 0.02 * Math.abs(span[1])) margin.left = 84;
       area.selectAll("*").remove();
       tip.hide();
-      const svg = canvas(area, plot, width, height, margin).attr("class", "canvas").attr("tabindex", 0);
+      const svg = canvas(area, plot, width, height, margin).attr("class", "canvas");
       const all = plot.series.map((s, k) => (plot.frames?.y[k] ? plot.frames.y[k].flat() : s.bar ? s.y.flatMap((v, i) => isDrawn(v) ? [v - (s.bar[i] ?? 0), v + (s.bar[i] ?? 0)] : []) : s.y));
       const xs = widened(state.zoom?.x ?? domain("x", plot.series.flatMap((s) => s.x)), width - margin.left - margin.right, height - margin.top - margin.bottom), ys = (state.zoom?.y ?? domain("y", all.flat()));
       const x = (plot.log_x ? d3.scaleLog() : d3.scaleLinear()).domain(xs).range([margin.left, width - margin.right]);
@@ -257,8 +257,7 @@
       const visible = points.filter((p) => p.x >= margin.left - 1 && p.x <= width - margin.right + 1 && p.y >= margin.top - 1 && p.y <= height - margin.bottom + 1);
       const ring = svg.append("circle").attr("class", "aid").attr("r", 5).attr("fill", "none").attr("stroke", "var(--ink)").attr("stroke-width", 1.5).attr("display", "none").attr("pointer-events", "none");
       const name = (k) => { while (k > 0 && !plot.series[k].label) --k; return flat(plot.series[k].label); };
-      const pick = (p) => {
-        state.picked = p;
+      const show = (p) => {
         ring.attr("display", p ? null : "none").attr("cx", p?.x).attr("cy", p?.y);
         if (!p) return tip.hide();
         const own = hasPoints(p.series) && !p.series.label ? "points, " : "";
@@ -278,28 +277,20 @@
         state.zoom = k > 1 || state.zoom ? {x: window(x, x.range(), 0), y: window(y, y.range(), 1)} : null;
         draw();
       });
-      svg.style("touch-action", "pan-y");
-      svg.on("mousemove touchstart", () => {
-        const [mx, my] = d3.event.touches ? d3.touches(svg.node())[0] : d3.mouse(svg.node());
+      picks(svg, (px, py) => {
         let best = null, least = 40 ** 2;
         for (const p of visible) {
-          const distance = (p.x - mx) ** 2 + (p.y - my) ** 2;
+          const distance = (p.x - px) ** 2 + (p.y - py) ** 2;
           if (distance < least) [best, least] = [p, distance];
         }
-        pick(best);
-      }).on("mouseleave blur", () => pick(null)).on("dblclick", () => { state.zoom = null; draw(); });
-      svg.on("keydown", () => {
-        const step = {ArrowRight: 1, ArrowLeft: -1}[d3.event.key], other = {ArrowDown: 1, ArrowUp: -1}[d3.event.key];
-        if (d3.event.key === "Escape") return pick(null);
-        if ((!step && !other) || !visible.length) return;
-        d3.event.preventDefault();
-        const at = visible.indexOf(state.picked);
-        if (at < 0) return pick(visible[0]);
-        if (step) return pick(visible[Math.min(visible.length - 1, Math.max(0, at + step))]);
-        const shown = [...new Set(visible.map((p) => p.k))];
-        const next = shown[(shown.indexOf(state.picked.k) + other + shown.length) % shown.length];
-        pick(visible.filter((p) => p.k === next).sort((a, b) => Math.abs(a.x - state.picked.x) - Math.abs(b.x - state.picked.x))[0]);
-      });
+        return best;
+      }, (p, dx, dy) => {
+        if (!p) return visible[0] ?? null;
+        if (dx) return visible[Math.min(visible.length - 1, Math.max(0, visible.indexOf(p) + dx))];
+        const shown = [...new Set(visible.map((q) => q.k))], next = shown[(shown.indexOf(p.k) - dy + shown.length) % shown.length];
+        return visible.filter((q) => q.k === next).sort((q, r) => Math.abs(q.x - p.x) - Math.abs(r.x - p.x))[0];
+      }, show);
+      svg.on("dblclick", () => { state.zoom = null; draw(); });
       reset.attr("hidden", state.zoom ? null : "");
       if (!points.length) svg.append("text").attr("x", width / 2).attr("y", height / 2).attr("text-anchor", "middle").text("no data");
     }

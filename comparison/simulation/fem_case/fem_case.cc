@@ -245,13 +245,12 @@ void take_path(const Case::Path& path, FemCase& fem) {
 
 /// A step at least for each row, and eight at a usual tolerance.
 void require_few_rows(const Case& input) {
-  constexpr std::size_t most_rows = 2000;
-  if (input.motion.path && input.motion.path->time.size() > most_rows)
+  if (input.motion.path && input.motion.path->time.size() > most_rows_of_path)
     throw InputError(
         fmt::format("{}: Motion / Path = {}: has {} rows; finite elements step through {} at most, of which fewer "
                     "describe a motion "
                     "as well if they lie closer where it turns; `fretval mdr` answers this case",
-                    input.file, input.motion.path->file, input.motion.path->time.size(), most_rows));
+                    input.file, input.motion.path->file, input.motion.path->time.size(), most_rows_of_path));
 }
 
 /// What the tolerance of a case asks for, unless the case or its mesh says otherwise.

@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <fstream>
-#include <stdexcept>
 #include <utility>
 
-#include "comparison/case/case.h"
+#include "comparison/data/table_units.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/support/csv.h"
-#include "mdr/support/csv_units.h"
 
 namespace fretval {
 namespace {
@@ -35,7 +33,7 @@ WornBefore worn_by_heights(const std::string& table, const Units& units, const s
   constexpr double nothing = 1e-6;  // of the largest indentation, as in the course of wear
   std::ifstream stream(table);
   std::vector<double> radii, depths, kinks;
-  try {
+  input_from(table, [&] {
     const auto rows = mdr::read_profile_rows(stream, table);
     for (std::size_t i = 0; i < rows.r.size(); ++i) {
       const double r = rows.r[i] / units.length, depth = rows.f[i] / units.depth - profile(r);
@@ -47,9 +45,7 @@ WornBefore worn_by_heights(const std::string& table, const Units& units, const s
       radii.push_back(r);
       depths.push_back(depth > nothing ? depth : 0);
     }
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  });
   for (std::size_t i = 0; i < radii.size(); ++i) {
     if (i > 0 && depths[i - 1] == 0) kinks.push_back((radii[i - 1] + radii[i]) / 2);
     kinks.push_back(radii[i]);
@@ -67,18 +63,13 @@ WornBefore worn_by_heights(const std::string& table, const Units& units, const s
 WornBefore worn_by_rings(const std::string& table, const Units& units) {
   std::ifstream stream(table);
   std::vector<double> radii, depths;
-  try {
-    const auto csv = mdr::read_columns(stream, table, mdr::profile_columns(), mdr::InOrder::yes).csv;
-    require_rings(table, csv);
-    const auto in_metres = [&](std::size_t column) {
-      return mdr::unit_of_column(csv, column, mdr::length_units(), table);
-    };
-    const double radius_unit = in_metres(0), depth_unit = in_metres(1);
-    for (const double r : csv.columns[0]) radii.push_back(r * radius_unit / units.length);
-    for (const double depth : csv.columns[1]) depths.push_back(depth * depth_unit / units.depth);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(error.what());
-  }
+  input_from(table, [&] {
+    auto chosen = mdr::read_columns(stream, table, mdr::profile_columns(), mdr::InOrder::yes);
+    require_rings(table, chosen.csv);
+    take_into_si(table, mdr::profile_columns(), chosen);
+    for (const double r : chosen.csv.columns[0]) radii.push_back(r / units.length);
+    for (const double depth : chosen.csv.columns[1]) depths.push_back(depth / units.depth);
+  });
   return {[radii, depths](double r) {
             const auto ring = std::upper_bound(radii.begin(), radii.end(), r) - radii.begin();
             return ring == static_cast<std::ptrdiff_t>(radii.size()) ? 0.0 : depths[static_cast<std::size_t>(ring)];

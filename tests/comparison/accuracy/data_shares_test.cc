@@ -58,7 +58,7 @@ TEST(DataShares, OfModuliThatContradictEachOtherCoverTheBodyOfTheStorageModulus)
   body.master_curve->frequency = table.frequency;
   body.master_curve->storage = table.storage;
   body.master_curve->loss = table.loss;
-  body.master_curve->kramers_kronig = Case::KramersKronigCheck{true, 0, 1};
+  body.master_curve->kramers_kronig = mdr::KramersKronig{{}, {}, {}, 0, 1, 0, true};
   EXPECT_TRUE(data_variants(input).empty());
   body.master_curve->kramers_kronig->consistent = false;
   const auto open = data_uncertainties(input, mdr_case(input));
@@ -71,7 +71,7 @@ TEST(DataShares, OfModuliThatContradictEachOtherCoverTheBodyOfTheStorageModulus)
 /// A single pass over an elastic parabola, off by so much normally.
 Case pass_with_error(double normal_error) {
   auto input = read_case(elastic_case());
-  Case::Path path{"rig.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false};
+  Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false}, "rig.csv"};
   path.reduction = Case::PathReduction{300'000, 0, normal_error, 0};
   input.motion = motion_along(path);
   return input;

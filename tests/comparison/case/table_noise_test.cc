@@ -78,7 +78,7 @@ TEST(NoisyStart, IsNothingOfASmoothPathOrOneThatRepeatsOrHasFewRows) {
   auto reduced = path_with(5e-6, 0);
   reduced.reduction = Case::PathReduction{3000, 10};
   EXPECT_TRUE(noisy_start(reduced, 1e-3).empty()) << "rows that were left out stood between those that are kept";
-  EXPECT_TRUE(noisy_start({"rows.csv", {0, 1, 2}, {1e-4, 2e-4, 1e-4}, {0, 1e-5, 0}}, 1e-3).empty());
+  EXPECT_TRUE(noisy_start({{{0, 1, 2}, {1e-4, 2e-4, 1e-4}, {0, 1e-5, 0}}, "rows.csv"}, 1e-3).empty());
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "comparison/support/json.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/stored_result.h"
 
@@ -11,8 +12,13 @@ namespace fretval {
 namespace {
 
 BatchLine line_with(const std::string& name, std::optional<double> difference, Outcome outcome) {
-  const Comparison comparison{{Quantity::stick_radius_shakedown, {difference, 1e-3}}};
-  return {name, outcome, "", largest_use(comparison, name)};
+  const nlohmann::ordered_json compared{{"difference", or_null(difference)}, {"tolerance", 1e-3}};
+  return {name, outcome, "",
+          largest_use({{"name", name},
+                       {"scene", {{"contact_radius_unworn", 1}}},
+                       {"fe", nlohmann::ordered_json::object()},
+                       {"mdr", nlohmann::ordered_json::object()},
+                       {"comparison", {{"stick_radius_shakedown", compared}}}})};
 }
 
 BatchLine failed(const std::string& name) {

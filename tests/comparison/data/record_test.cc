@@ -15,7 +15,7 @@ constexpr double two_pi = 6.283185307179586;
 Case::Path record(double duration, int rows_per_second, double noise, bool repeats, double approach = 0) {
   std::mt19937 engine(11);
   std::normal_distribution<double> scatter(0, 1);
-  Case::Path path{"rig.csv", {}, {}, {}, repeats};
+  Case::Path path{{{}, {}, {}, repeats}, "rig.csv"};
   const int n = static_cast<int>((duration + approach) * rows_per_second);
   for (int i = 0; i <= n; ++i) {
     const double t = static_cast<double>(i) / rows_per_second - approach;
@@ -95,7 +95,7 @@ TEST(Record, IsInContactAtRestByMoreThanNoise) {
   for (const double rest : {2e-7, 6e-7}) {
     std::mt19937 engine(5);
     std::normal_distribution<double> noise(0, 1e-7);
-    Case::Path press{"press.csv", {}, {}, {}, false};
+    Case::Path press{{{}, {}, {}, false}, "press.csv"};
     for (int i = 0; i <= 200; ++i) {
       press.time.push_back(0.01 * i);
       press.normal.push_back(rest + 1e-5 * press.time.back() + (i == 0 ? 0 : noise(engine)));
@@ -110,7 +110,7 @@ TEST(Record, IsInContactAtRestByMoreThanNoise) {
 TEST(Record, KeepsARowAtTheTouch) {
   std::vector<std::string> notes;
   const auto path =
-      path_of_record({"press.csv", {0, 1, 2, 3}, {0, 1e-5, 2e-5, 1e-5}, {0, 0, 1e-6, 0}, false}, {}, notes);
+      path_of_record({{{0, 1, 2, 3}, {0, 1e-5, 2e-5, 1e-5}, {0, 0, 1e-6, 0}, false}, "press.csv"}, {}, notes);
   EXPECT_TRUE(path.from_touch);
   EXPECT_EQ(path.time.size(), 4U);
   EXPECT_TRUE(notes.empty());
@@ -123,7 +123,7 @@ TEST(Record, BeginsWhereMeansOfNoisyRowsTouchTheSurface) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 engine(seed);
     std::normal_distribution<double> noise(0, 1e-7);
-    Case::Path ramp{"ramp.csv", {}, {}, {}, false};
+    Case::Path ramp{{{}, {}, {}, false}, "ramp.csv"};
     for (int i = 0; i <= 5000; ++i) {
       const double t = 1e-3 * i;
       ramp.time.push_back(t);
@@ -143,13 +143,13 @@ TEST(Record, BeginsWhereMeansOfNoisyRowsTouchTheSurface) {
 
 TEST(Record, ThatNeitherClosesNorRepeatsIsRefused) {
   std::vector<std::string> notes;
-  Case::Path path{"rig.csv", {0, 1, 2, 3}, {1e-4, 1.1e-4, 1.2e-4, 1.3e-4}, {0, 0, 0, 0}, true};
+  Case::Path path{{{0, 1, 2, 3}, {1e-4, 1.1e-4, 1.2e-4, 1.3e-4}, {0, 0, 0, 0}, true}, "rig.csv"};
   expect_parts(refusal([&] { path_of_record(path, {}, notes); }), {"rig.csv: d jumps by -3e-05 m", "shows no period"});
 }
 
 TEST(Record, ThatHardlyJumpsIsClosedByARamp) {
   std::vector<std::string> notes;
-  Case::Path path{"rig.csv", {0, 1, 2, 3}, {1e-4, 1.2e-4, 0.9e-4, 1.001e-4}, {0, 1e-6, -1e-6, 0}, true};
+  Case::Path path{{{0, 1, 2, 3}, {1e-4, 1.2e-4, 0.9e-4, 1.001e-4}, {0, 1e-6, -1e-6, 0}, true}, "rig.csv"};
   const auto closed = path_of_record(path, {}, notes);
   EXPECT_EQ(closed.normal.front(), closed.normal.back());
   EXPECT_NEAR(closed.reduction->normal_error, 1e-7, 1e-18);

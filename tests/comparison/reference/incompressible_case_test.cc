@@ -56,7 +56,7 @@ TEST(IncompressibleCase, StretchesDisplacementsAndNoForces) {
 TEST(IncompressibleCase, StretchesAPathOfDisplacementsAndNoneOfForces) {
   auto scene = suite_case("parabola-elastic-steady", 1e-2);
   scene.elastomer.poisson_ratio = 0.3;
-  scene.motion.path = Case::Path{"a.csv", {0, 1}, {1e-4, 2e-4}, {3e-6, 4e-6}, false};
+  scene.motion.path = Case::Path{{{0, 1}, {1e-4, 2e-4}, {3e-6, 4e-6}, false}, "a.csv"};
   scene.motion.path->transverse = {5e-6, 6e-6};
   const auto stretched = incompressible_case(scene);
   EXPECT_NEAR(stretched.displacement, 1.5 * 2 * 0.7 / 1.7, 1e-12) << "3/2 over (2 - nu)/(2 (1 - nu))";

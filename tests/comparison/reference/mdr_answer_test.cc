@@ -97,7 +97,7 @@ TEST(MdrAnswer, HasSpringsForTheToleranceOfACycle) {
 /// The elastic case along a path of forces.
 Case along_forces(std::vector<double> normal, std::vector<double> tangential) {
   auto scene = read_case(elastic_case());
-  Case::Path path{"rows.csv", {}, std::move(normal), std::move(tangential), false, true, true};
+  Case::Path path{{{}, std::move(normal), std::move(tangential), false, true, true}, "rows.csv"};
   for (std::size_t k = 0; k < path.normal.size(); ++k) path.time.push_back(5 + static_cast<double>(k));
   scene.motion = motion_along(path);
   return scene;

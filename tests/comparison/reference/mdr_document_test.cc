@@ -162,7 +162,7 @@ TEST(MdrDocument, SpringsKnowWhereTheWorkGoes) {
 TEST(MdrDocument, HasTheFitOfMeasuredModuli) {
   auto input = read_case();
   input.elastomer.master_curve =
-      Case::MasterCurve{"dma.csv", {1, 2}, {3, 4}, {1, 1}, 0.01, 0.02, 0.03, 4, {{true, 0.05, 6}}};
+      Case::MasterCurve{"dma.csv", {1, 2}, {3, 4}, {1, 1}, 0.01, 0.02, 0.03, 4, {{{}, {}, {}, 0.05, 6, 0, true}}};
   EXPECT_EQ(mdr_document(input, false).json.at("elastomer"), ordered_json::parse(R"({
     "table": "dma.csv", "frequencies": 2, "relaxed_modulus": 1e6, "branch_moduli": [1e6], "branch_times": [0.1],
     "residual": 0.01, "held_out": 0.02, "worst": 0.03, "worst_frequency": 4.0,

@@ -109,7 +109,7 @@ TEST(PlaneAnswer, OfAPassSlidesAtATimeOfItsFile) {
   auto scene = circle();
   const double d = scene.motion.indentation,
                force = 16.0 / 3 * scene.elastomer.relaxed_modulus * std::sqrt(scene.indenter.radius * d * d * d);
-  Case::Path path{"a.csv", {5, 15}, {d, d}, {0, 2 * scene.friction_coefficient * force}, false};
+  Case::Path path{{{5, 15}, {d, d}, {0, 2 * scene.friction_coefficient * force}, false}, "a.csv"};
   path.tangential_force = true;
   path.transverse = {0, 0};
   scene.motion = motion_along(path);

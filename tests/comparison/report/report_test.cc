@@ -442,7 +442,7 @@ TEST_F(ReportSlow, IsUsedByFingers) {
   expect_parts(without("mousemove touchstart", "touchnothing"), {"the pointer finds nothing"});
   expect_parts(without("svg.on(\"touchstart.pinch touchmove.pinch\"", "svg.on(\"click.pinch\""),
                {"two fingers do not magnify it"});
-  expect_parts(without("svg.style(\"touch-action\", \"pan-y\")", "svg.style(\"touch-action\", \"none\")"),
+  expect_parts(without("0).style(\"touch-action\", \"pan-y\")", "0).style(\"touch-action\", \"none\")"),
                {"the page does not scroll under a finger"});
 }
 

@@ -69,7 +69,7 @@ TEST(CaseResult, HasItsHistoryInSiUnitsStepByStep) {
 // A path whose mean is 3 mm off the origin of its displacements: u_x counts from there, as in the file.
 TEST(CaseResult, AlongAPathHasItsDisplacementsAsInTheFile) {
   auto result = made_up_result();
-  result.input.motion.path = Case::Path{"a.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {2e-3, 4e-3, 2e-3}, true};
+  result.input.motion.path = Case::Path{{{0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {2e-3, 4e-3, 2e-3}, true}, "a.csv"};
   const ScratchFolder folder;
   write_result(result, result_json(result), made_up_reference(), folder.path());
   const auto u = read_columns(folder.path() / "history.csv", "t [s]", "u_x [m]").second;

@@ -71,7 +71,7 @@ TEST(CycleJson, HasTheSpringsOfAPathAtItsEnd) {
   const auto prepared = prepared_case(elastic_case());
   result.input = prepared.input;
   result.mdr_case = prepared.mdr;
-  const Case::Path path{"a.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {0, 8e-6, 0}, true};
+  const Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1e-4}, {0, 8e-6, 0}, true}, "a.csv"};
   result.input.motion = motion_along(path);
   result.mdr_case.path = mdr::SampledPath{path.time, path.normal, path.tangential, path.repeats};
   EXPECT_LT(off_hertz(cycle_json(result).at("mdr"), 1e-4), 0.02);

@@ -19,7 +19,7 @@ TEST(DataFiles, HaveTheTraceAndWhatIsLeftOfIt) {
   const ScratchFolder folder;
   auto input = read_case();
   // Apex at 1 mm, tilt 0.01, f = r²/(2 R) with R = 10 mm.
-  Case::AlignedTrace trace{{0, 0.5e-3, 1e-3, 1.6e-3, 2e-3}, {}, 1e-3, 1e-6, 0.01, 1e-4, 1e-8, false, {}, {}, 1e-8};
+  Case::AlignedTrace trace{{1e-3, 1e-6, 0.01, 1e-4, 1e-8, false}, {0, 0.5e-3, 1e-3, 1.6e-3, 2e-3}, {}, {}, {}, 1e-8};
   for (const double x : trace.x) trace.z.push_back((x - 1e-3) * (x - 1e-3) / 0.02 + 0.01 * (x - 1e-3));
   for (int i = 0; i <= 1000; ++i) {
     trace.r.push_back(1e-6 * i);
@@ -57,7 +57,7 @@ TEST(DataFiles, SayWhatWasMadeOfTheData) {
   EXPECT_TRUE(data_json(input).empty());
   limit_to_test(0.01, input);
   input.elastomer.shore_a = 40;
-  Case::Path path{"rig.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false};
+  Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false}, "rig.csv"};
   path.reduction = Case::PathReduction{300'000, 7, 1e-8, 2e-8};
   input.motion = motion_along(path);
   const auto json = data_json(input);
@@ -92,8 +92,8 @@ TEST(DataFiles, HaveEveryColumnOfTheLoops) {
 TEST(DataFiles, SayEveryNumberOfTheDataUnderItsKey) {
   auto input = read_case();
   input.indenter.trace =
-      Case::AlignedTrace{{0, 1}, {2, 3}, 1e-3, 2e-6, 0.01, 1e-4, 3e-8, true, {0, 1, 2}, {0, 1, 2}, 4e-8};
-  Case::Path path{"rig.csv", {0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false};
+      Case::AlignedTrace{{1e-3, 2e-6, 0.01, 1e-4, 3e-8, true}, {0, 1}, {2, 3}, {0, 1, 2}, {0, 1, 2}, 4e-8};
+  Case::Path path{{{0, 1, 2}, {1e-4, 1.2e-4, 1.2e-4}, {0, 0, 1e-5}, false}, "rig.csv"};
   path.reduction = Case::PathReduction{300'000, 7, 1e-8, 2e-8, 20, 5e-8, 6e-8};
   input.motion.path = path;
   input.elastomer.test_duration = Case::TestDuration{3600, 2e5, {1, 2}, {3, 4}, 0, 21, 22, {0.5}, 7e-5};

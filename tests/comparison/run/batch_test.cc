@@ -98,19 +98,22 @@ TEST(Batch, WhatIsBesideTheCasesIsWorkedOutOnceEach) {
 // A zone that only one of the two finds counts with all of its radius; one that neither finds, under a bar that leaves
 // that open, is no difference.
 TEST(Batch, NamesTheLargestUseOfATolerance) {
-  Comparison comparison{{Quantity::contact_radius_max, {-5e-4, 1e-3}}, {Quantity::normal_force_max, {2e-4, 1e-3}}};
-  EXPECT_EQ(largest_use(comparison, "a").share, 0.5);
-  EXPECT_NE(largest_use(comparison, "a").text.find("largest contact radius in a, off by 5.0e-04 of 1.0e-03"),
-            std::string::npos)
-      << largest_use(comparison, "a").text;
-  comparison[Quantity::stick_radius_shakedown] = {{}, 1e-3};
-  EXPECT_EQ(largest_use(comparison, "a").share, 0.5);
-  comparison[Quantity::stick_radius_shakedown].only_one = -0.3;
-  EXPECT_EQ(largest_use(comparison, "a").text,
+  auto result = nlohmann::ordered_json::parse(R"({"name": "a", "scene": {"contact_radius_unworn": 2}, "fe": {},
+    "mdr": {"stick_radius_shakedown": null}, "comparison": {
+      "contact_radius_max": {"difference": -5e-4, "tolerance": 1e-3},
+      "normal_force_max": {"difference": 2e-4, "tolerance": 1e-3}}})");
+  EXPECT_EQ(largest_use(result).share, 0.5);
+  EXPECT_NE(largest_use(result).text.find("largest contact radius in a, off by 5.0e-04 of 1.0e-03"), std::string::npos)
+      << largest_use(result).text;
+  auto& radius = result["comparison"]["stick_radius_shakedown"] = {{"difference", nullptr}, {"tolerance", 1e-3}};
+  EXPECT_EQ(largest_use(result).share, 0.5);
+  result["fe"]["stick_radius_shakedown"] = 0.6;
+  EXPECT_EQ(largest_use(result).text,
             "stick radius, shakedown in a, off by 3.0e-01 of 1.0e-03, only one of the two sticks");
-  comparison[Quantity::stick_radius_shakedown].asked = false;
-  EXPECT_EQ(largest_use(comparison, "a").share, 0.5) << "nobody asked for it";
-  EXPECT_LT(largest_use({}, "a").share, 0);
+  radius["asked"] = false;
+  EXPECT_EQ(largest_use(result).share, 0.5) << "nobody asked for it";
+  result["comparison"].clear();
+  EXPECT_LT(largest_use(result).share, 0);
 }
 
 TEST(Batch, HasItsLinesInTheOrderOfItsCasesAndCountsThemAsTheyAreDone) {

@@ -33,7 +33,7 @@ TEST(Explanation, SaysWhichRadiiThereAreNot) {
 
 TEST(Explanation, OfAPassOfForcesSaysWhenItSlides) {
   auto input = read_case(elastic_case());
-  input.motion = motion_along({"rows.csv", {0, 1}, {0.5, 0.3}, {0, 0.2}, false, true, true});
+  input.motion = motion_along({{{0, 1}, {0.5, 0.3}, {0, 0.2}, false, true, true}, "rows.csv"});
   expect_parts(explanation(input), {"rows.csv: 2 rows in 1 s, passed once", "normal       300 mN to 500 mN",
                                     "tangential   0 N to 200 mN", "gross slip: the whole contact slides from t = 833"});
 }

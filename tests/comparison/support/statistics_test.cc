@@ -14,6 +14,25 @@ TEST(Quantile, IsTheNearestRank) {
   EXPECT_EQ(quantile({3, 1, 2}, 0), 1);
 }
 
+TEST(LargestSize, IsTheLargestAbsoluteValue) {
+  EXPECT_EQ(largest_size({1, -3, 2}), 3);
+  EXPECT_EQ(largest_size({}), 0);
+  EXPECT_EQ(range_of({1, -3, 2}), 5);
+}
+
+TEST(Thinned, TakesValuesAtEqualDistances) {
+  EXPECT_EQ(thinned({1, 2, 3, 4, 5}, 2), (std::vector<double>{1, 4}));
+  EXPECT_EQ(thinned({1, 2, 3, 4, 5}, 3), (std::vector<double>{1, 3, 5}));
+  EXPECT_EQ(thinned({1, 2}, 2), (std::vector<double>{1, 2}));
+  EXPECT_TRUE(thinned({}, 2).empty());
+}
+
+TEST(ToDigits, RoundsToSignificantDigits) {
+  EXPECT_EQ(to_digits(1234.567, 5), 1234.6);
+  EXPECT_EQ(to_digits(-0.00123456, 2), -0.0012);
+  EXPECT_TRUE(std::isnan(to_digits(std::nan(""), 5)));
+}
+
 TEST(LogSlope, IsTheExponentOfAPower) {
   std::vector<double> x, y;
   for (const double value : {8.0, 12.0, 16.0, 32.0, 64.0}) {

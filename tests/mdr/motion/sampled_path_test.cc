@@ -27,6 +27,11 @@ TEST(SampledPath, OfForcesRisesFromNoTangentialForce) {
   forces.normal_force = forces.tangential_force = true;
   EXPECT_EQ(rest_of(forces).normal, 2);
   EXPECT_EQ(rest_of(forces).tangential, 0);
+  forces.transverse = {1, 5, 1};
+  EXPECT_EQ(rest_of(forces).transverse, 0) << "neither across";
+  forces.tangential_force = false;
+  EXPECT_EQ(rest_of(forces).transverse, 3) << "of a displacement";
+  forces.tangential_force = true;
   EXPECT_EQ(error_of([&] { validate(forces); }), "accepted");
   forces.normal[1] = 0;
   EXPECT_NE(error_of([&] { validate(forces); }).find("normal force"), std::string::npos);
