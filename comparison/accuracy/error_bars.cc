@@ -209,7 +209,6 @@ CaseNeeds needs_of(const FemCase& fem) {
   needs.motion_kind = fem.motion_kind;
   needs.held_from_start =
       fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.kind == ContactKind::annuli;
-  needs.zones_of_points = fem.has_zones_of_points();
   needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;

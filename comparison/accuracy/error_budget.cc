@@ -24,7 +24,7 @@ ExpectedOrder expected_order(ErrorSource source, Quantity quantity, const CaseNe
   if (source == ErrorSource::far_field) return {needs.stretches ? 2.0 : 4.0};
   if (source == ErrorSource::angles) return {2};
   if (source != ErrorSource::rings) return {3};
-  if (needs.zones_of_points && is_of_stick_zone(quantity)) return {1, 4};
+  if (needs.kind == ContactKind::plane && is_of_stick_zone(quantity)) return {1, 4};
   if (needs.kind == ContactKind::annuli || ends_with_contact(needs, quantity)) return {1, 4};
   const auto& traits = traits_of(quantity);
   constexpr double at_a_worn_edge = 2, of_a_smooth_kernel = 2;

@@ -55,9 +55,6 @@ struct CaseNeeds {
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
   /// each other.
   bool moves_by_steps = false;
-  /// Stick zones on rings and angles are read from their points alone, and no ring contact corrects the edges: that
-  /// adds an error of a quarter of a ring, which is of first order.
-  bool zones_of_points = false;
   /// The body ends, as a layer does: its base adds a smooth kernel to the response, in which pressures that are uniform
   /// over each ring leave an error of second order.
   bool ends = false;

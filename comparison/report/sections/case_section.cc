@@ -29,8 +29,7 @@ Table answer_table(const StoredResult& r, const Answer& answer) {
   table.label = "the answer";
   bool asked = true;
   for (const auto& row : answer.rows) {
-    if (asked && !row.asked)
-      table.rows.push_back({head_cell("not asked for, as far as they are known"), "", "", "", ""});
+    if (asked && !row.asked) table.rows.push_back({head_cell("not asked for, as far as they are known")});
     asked = row.asked;
     table.rows.push_back(
         {row.title, row.fe, row.mdr, row.difference, bad_if(row.remark == name_of(Verdict::disagree), row.remark)});

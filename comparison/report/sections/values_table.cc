@@ -80,8 +80,7 @@ std::string slides(const std::vector<const StoredResult*>& family, const char* s
 Table of_few(const Families& families, const std::vector<Quantity>& quantities) {
   Table table{{"", "finite elements", "MDR"}};
   for (const auto& [name, family] : families) {
-    table.rows.push_back(
-        {head_cell(family.size() == 1 ? name : fmt::format("{}, {} cases", name, family.size())), "", ""});
+    table.rows.push_back({head_cell(family.size() == 1 ? name : fmt::format("{}, {} cases", name, family.size()))});
     const auto before = table.rows.size();
     for (const auto quantity : quantities)
       if (has(family, quantity))

@@ -26,6 +26,11 @@ Table table_of(const Filling& filling) {
   return table;
 }
 
+/// Whether the only cell of a row goes over all columns.
+bool spans(const std::vector<Cell>& row, std::size_t n_columns) {
+  return row.size() == 1 && n_columns > 1;
+}
+
 /// Characters rather than bytes of UTF-8.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
@@ -60,6 +65,7 @@ Filling filling_of(const Table& table) {
   for (const auto& row : table.rows) {
     auto cells = Filling::array();
     for (const auto& cell : row) cells.push_back(filling_of_cell(cell));
+    if (spans(row, table.heads.size())) cells.front()["span"] = table.heads.size();
     filling["rows"].push_back({{"cells", std::move(cells)}});
   }
   return filling;
@@ -73,14 +79,14 @@ std::string text_of(const Table& table) {
   to_the_left.front() = true;
   for (const auto& row : rows)
     for (std::size_t k = 0; k < row.size(); ++k) {
-      widths[k] = std::max(widths[k], width_of(row[k].text));
+      if (!spans(row, widths.size())) widths[k] = std::max(widths[k], width_of(row[k].text));
       if (row[k].is_words) to_the_left[k] = true;
     }
   std::string text;
   for (const auto& row : rows) {
     std::string line;
     for (std::size_t k = 0; k < row.size(); ++k) {
-      const std::string blanks(widths[k] - width_of(row[k].text), ' ');
+      const std::string blanks(std::max(widths[k], width_of(row[k].text)) - width_of(row[k].text), ' ');
       line += (k == 0 ? "" : "  ") + (to_the_left[k] ? row[k].text + blanks : blanks + row[k].text);
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

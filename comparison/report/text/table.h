@@ -27,8 +27,8 @@ Cell bad_if(bool is_bad, const std::string& text);
 /// A table that a page and a terminal show in the same way.
 struct Table {
   std::vector<std::string> heads;
-  std::vector<std::vector<Cell>> rows = {};
-  std::string label = {};  ///< what a screen reader says of it; empty: the first head
+  std::vector<std::vector<Cell>> rows = {};  ///< the only cell of a row goes over all columns
+  std::string label = {};                    ///< what a screen reader says of it; empty: the first head
 };
 
 /// The table as a filling of the template `table`.

@@ -32,28 +32,28 @@ TEST(PointByMdr, HasBothOfItsModels) {
 TEST(ComputedPoint, KnowsWhereTheDirectionOfFrictionMatters) {
   BodyStore bodies;
   MapScene scene{0.7};
-  const auto incompressible = computed_point({"phase", "", scene}, bodies, 0.5);
+  const auto incompressible = computed_point({"phase", "", scene}, bodies, 0.25);
   const auto& radius = incompressible.changes.at(Quantity::stick_radius_shakedown);
   EXPECT_LT(radius.value, -radius.bar);
   EXPECT_GT(radius.value, -0.05);
   scene.poisson_ratio = 0;
-  const auto compressible = computed_point({"phase", "", scene}, bodies, 0.5);
+  const auto compressible = computed_point({"phase", "", scene}, bodies, 0.25);
   const auto& none = compressible.changes.at(Quantity::stick_radius_shakedown);
   EXPECT_NEAR(none.value, 0, 1e-6);
 }
 
-// Of 24 equal rings to the contact radius, the fewest of a bar would have one in a zone of 0.2 a: its bar would be as
+// Of 48 equal rings to the contact radius, the fewest of a bar would have two in a zone of 0.2 a: its bar would be as
 // wide as the value.
-TEST(ComputedPoint, ResolvesASmallStickZone) {
+TEST(ComputedPointSlow, ResolvesASmallStickZone) {
   BodyStore bodies;
   MapScene scene{0.2};
   scene.phase = 90;
   const auto& radius = computed_point({"phase", "", scene}, bodies, 0.5).changes.at(Quantity::stick_radius_shakedown);
   EXPECT_NEAR(radius.value, -0.07, 0.02);
-  EXPECT_LT(radius.bar, 0.007);
+  EXPECT_LT(radius.bar, 0.014);
 }
 
-// All slip takes place within 0.05 a of the edge, of one in 24 equal rings. The value is that of 192 equal rings and
+// All slip takes place within 0.05 a of the edge, of two in 48 equal rings. The value is that of 192 equal rings and
 // 144 steps, the mean over eight places of the edge in its ring; 96 and 48 rings have -0.02273 and -0.02236.
 TEST(ComputedPointSlow, ResolvesAThinSlipAnnulus) {
   BodyStore bodies;

@@ -26,6 +26,12 @@ TEST(Table, IsEscapedOnAPage) {
 
 TEST(Table, HasHeadsOfSomeRows) {
   expect_parts(rendered(filling_of(Table{{"name"}, {{head_cell("family")}}})), {"<td class=\"head\">family</td>"});
+  const Table wide{{"name", "n"}, {{head_cell("a family of many")}, {"c", "20"}}};
+  expect_parts(rendered(filling_of(wide)), {"<td class=\"head\" colspan=\"2\">a family of many</td>"});
+  EXPECT_EQ(text_of(wide),
+            "name   n\n"
+            "a family of many\n"
+            "c     20\n");
 }
 
 TEST(Table, IsAlignedOnATerminal) {
