@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/SVD>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -19,7 +18,6 @@
 #include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
 #include "comparison/trust/ladder.h"
-#include "mdr/support/constants.h"
 
 namespace fretval {
 namespace {
@@ -108,23 +106,6 @@ Case without_full_contact(Case input) {
   return input;
 }
 
-/// Weights of values at some places, of which the sum is 1, by which their mean lets a constant through and no sine
-/// that goes round once in a unit of any of these multiples of the place; the smallest such weights.
-Eigen::VectorXd weights_without(const std::vector<double>& multiples, const Eigen::VectorXd& places) {
-  Eigen::MatrixXd sines(1 + 2 * multiples.size(), places.size());
-  sines.row(0).setOnes();
-  for (std::size_t i = 0; i < multiples.size(); ++i) {
-    const Eigen::ArrayXd angle = 2 * mdr::pi * multiples[i] * places.array();
-    sines.row(1 + 2 * static_cast<Eigen::Index>(i)) = angle.cos();
-    sines.row(2 + 2 * static_cast<Eigen::Index>(i)) = angle.sin();
-  }
-  Eigen::JacobiSVD<Eigen::MatrixXd> svd(sines, Eigen::ComputeThinU | Eigen::ComputeThinV);
-  constexpr double hardly_two = 0.1;  // of multiples that are nearly the same
-  svd.setThreshold(hardly_two);
-  const Eigen::VectorXd weights = svd.solve(Eigen::VectorXd::Unit(sines.rows(), 0));
-  return weights / weights.sum();
-}
-
 /// The changes of a scene from the ring contact to the full contact, at each resolution computed once. They are means
 /// over places of the edges of the zones in their rings: with the place all that is read goes to and fro, by an error
 /// that falls with no order of the rings.
@@ -148,28 +129,28 @@ class SceneChanges {
  private:
   /// Only of what is known at all places.
   [[nodiscard]] Quantities mean_over_places(const Resolution& resolution) const {
-    const double outer = resolution.focus ? resolution.focus->outer : 1, shakedown = at_.shakedown.value_or(outer),
-                 first_slip = at_.first_slip.value_or(shakedown);
-    const std::vector<double> rings_of_edges{1, shakedown / outer, first_slip / outer};
-    // While the rings move, the edges of the zones move by two of them on average. A coupled contact is computed at two
-    // places each time (half_a_ring_away).
-    const auto n_places = full_.fem.full.coupled ? 1 : 8;
-    const Eigen::VectorXd moved =
-        Eigen::VectorXd::LinSpaced(n_places + 1, 0, 4 * outer / (shakedown + first_slip)).head(n_places);
-    const Eigen::VectorXd weights = n_places == 1 ? Eigen::VectorXd::Ones(1) : weights_without(rings_of_edges, moved);
-    std::map<Quantity, int> n_known;
+    // A coupled contact is computed at two places each time (half_a_ring_away).
+    const unsigned n_places = full_.fem.full.coupled ? 1 : 8;
+    auto elsewhere = resolution;
+    std::map<Quantity, unsigned> n_known;
     Quantities means;
-    for (Eigen::Index k = 0; k < n_places; ++k) {
-      auto there = resolution;
-      there.edge_before_node += moved[k];
-      for (const auto& [quantity, change] : computed(there)) {
-        means[quantity] += weights[k] * change;
+    for (unsigned k = 0; k < n_places; ++k) {
+      for (const auto& [quantity, change] : computed(elsewhere)) {
+        means[quantity] += change / n_places;
         ++n_known[quantity];
       }
+      elsewhere.edge_before_node += rings_per_ring_of_zones(resolution) / n_places;
     }
     for (const auto& [quantity, n] : n_known)
       if (n < n_places) means.erase(quantity);
     return means;
+  }
+
+  /// By how many rings the edge that lies at its place in a ring (Resolution::edge_before_node) moves while the edges
+  /// of the zones move by one.
+  [[nodiscard]] double rings_per_ring_of_zones(const Resolution& resolution) const {
+    const double outer = resolution.focus ? resolution.focus->outer : 1, shakedown = at_.shakedown.value_or(outer);
+    return outer / ((shakedown + at_.first_slip.value_or(shakedown)) / 2);
   }
 
   [[nodiscard]] Quantities computed(const Resolution& resolution) const {
