@@ -98,12 +98,15 @@ ErrorShare share_of_rings(const Resolution& resolution, const CaseNeeds& needs) 
   return {};
 }
 
-TEST(ErrorBudget, WhereRingsTouchInAnyOrderTheirFirstOrderIsBelieved) {
-  CaseNeeds needs;
-  needs.kind = ContactKind::annuli;
-  const auto share = share_of_rings(resolution_for(1e-3), needs);
-  EXPECT_NEAR(share.order.value_or(0), 1, 1e-9);
-  EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-12);
+// The shakedown radius, where rings touch in any order, and on rings and angles.
+TEST(ErrorBudget, WhereZonesAreReadOffTheirRingsTheirFirstOrderIsBelieved) {
+  for (const auto kind : {ContactKind::annuli, ContactKind::plane}) {
+    CaseNeeds needs;
+    needs.kind = kind;
+    const auto share = share_of_rings(resolution_for(1e-3), needs);
+    EXPECT_NEAR(share.order.value_or(0), 1, 1e-9);
+    EXPECT_NEAR(share.estimate, safety * 1e-3, 1e-12);
+  }
 }
 
 // Pressures uniform over rings leave the second order of what the base of a layer adds, also where it seems a third.
