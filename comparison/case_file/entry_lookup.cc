@@ -143,7 +143,8 @@ std::string entries_reference() {
       "comment. `include FILE` lines\nbefore the first subsection take over another file, whose entries may be set "
       "again. The same in JSON: sections as objects\nof entries, lists as arrays.\n\nNumbers may have a unit of what "
       "the entry measures; without one they are in the unit of the table. In a list each number\nhas a unit, or none, "
-      "or the last one for all.\n\n| measured in | also |\n| --- | --- |\n";
+      "or the last one for all.\n\n*An error* where an entry is not set: only where the case needs it. Where some "
+      "shapes, rheologies or laws\nalone need it, the meaning names them.\n\n| measured in | also |\n| --- | --- |\n";
   for (const auto dimension : {D::length, D::frequency, D::pressure, D::time, D::angle, D::viscosity, D::force,
                                D::temperature, D::difference, D::wear_rate})
     text += fmt::format("| {} | {} |\n", base_unit(dimension), other_units(dimension));

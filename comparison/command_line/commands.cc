@@ -152,7 +152,9 @@ void add_trust(CLI::App& app, Command& command) {
       "trust",
       "How far MDR can be trusted in a case, and why: its assumptions dropped one at a time, by finite elements");
   auto* trusted = trust->add_option("case", *file, "Case file (.prm or .json) with a single case");
-  trust->add_option("--map", options->map, "Instead of a case: MDR's error over its maps, a CSV file")
+  trust
+      ->add_option("--map", options->map,
+                   "Instead of a case: MDR's error over its maps, a CSV file; points that it has are kept")
       ->excludes(trusted);
   trust->add_option("-o,--output", options->output, "Folder for trust.json and a report of it");
   trust->add_flag("--json", options->json, "Print JSON");

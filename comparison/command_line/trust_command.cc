@@ -74,17 +74,25 @@ int run_trust(const std::string& file, const TrustOptions& options) {
 
 int run_map(const TrustOptions& options) {
   prepare_output_file("--map", options.map);
+  const auto earlier = content_of(options.map);
+  const auto known = earlier.empty() ? std::vector<MapPoint>{} : points_of_csv(earlier);
   const fem::PetscSession session;
   BodyStore bodies(store_of(options.store));
   const auto planned = planned_points();
+  const auto n_missing = [](const std::vector<MapPoint>& points) {
+    return std::count_if(points.begin(), points.end(), [](const MapPoint& point) { return point.changes.empty(); });
+  };
   Stopwatch watch;
-  const auto points = computed_map(planned, bodies, [&](const MapPoint& point, std::size_t n_done) {
-    log::info(fmt::format("{}/{} {}: c/a = {:.2f}", n_done, planned.size(), point.map, point.at.shakedown.value_or(0)));
-  });
+  const auto points =
+      computed_map(planned, known, bodies, [&](const std::vector<MapPoint>& so_far, std::size_t computed) {
+        write_file(options.map, csv_of(so_far));
+        const auto& point = so_far[computed];
+        log::info(fmt::format("{}: c/a = {:.2f}; {} of {} points left", point.map, point.at.shakedown.value_or(0),
+                              n_missing(so_far), planned.size()));
+      });
   write_file(options.map, csv_of(points));
   log::info(fmt::format("{}: {} points in {:.0f} s", options.map, points.size(), watch.lap()));
-  const auto has_failed = [](const MapPoint& point) { return point.changes.empty(); };
-  return std::any_of(points.begin(), points.end(), has_failed) ? exit_numerics_failed : exit_agree;
+  return n_missing(points) > 0 ? exit_numerics_failed : exit_agree;
 }
 
 }  // namespace fretval

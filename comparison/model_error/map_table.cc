@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "comparison/model_error/map_csv.h"
 
@@ -107,6 +108,12 @@ std::string csv_of(const std::vector<MapPoint>& points) {
     text += "\n";
   }
   return text;
+}
+
+bool is_same_scene(MapPoint one, MapPoint other) {
+  one.changes.clear();
+  other.changes.clear();
+  return csv_of({std::move(one)}) == csv_of({std::move(other)});
 }
 
 std::vector<MapPoint> points_of_csv(const std::string& text) {

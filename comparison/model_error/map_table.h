@@ -53,6 +53,9 @@ const std::vector<MapPoint>& map_points();
 /// bar.
 std::string csv_of(const std::vector<MapPoint>& points);
 
+/// Whether two points are of one scene, to the digits of csv_of, whatever is known of them.
+bool is_same_scene(MapPoint one, MapPoint other);
+
 /// Throws InputError for text that is not of that form.
 std::vector<MapPoint> points_of_csv(const std::string& text);
 

@@ -118,7 +118,7 @@ void write_field_files(const FeAnswer& fe, const FemCase& fem_case, Case::Fields
   if (fields == Case::Fields::none || fe.as<GrossSlipStart>()) return;
   fs::create_directories(folder / "fields");
   std::optional<Body> made;
-  if (!fe.whole_body) made.emplace(make_body(fem_case.body));
+  if (!fe.whole_body) made.emplace(make_body(fem_case.body, {}));
   const auto& units = fem_case.units;
   const fem::FieldUnits field_units{units.length, units.depth, units.pressure()};
   const auto instants = instants_of(fe, fields);

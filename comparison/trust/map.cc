@@ -88,11 +88,11 @@ std::optional<Focus> focus_on_zone(const Coordinates& at, double rings) {
   return {};
 }
 
-/// Where a point is computed first: on few rings where pressure and friction are coupled, whose steps take longest.
+/// Where a point is computed first: in few steps where pressure and friction are coupled, which take longest.
 /// Micro-slip moves an edge by so little that it has to die out further than a single case asks for.
 Resolution first_resolution(const FemCase& fem, const PlannedPoint& planned, const Coordinates& at, double fineness) {
   auto resolution = fem.resolution;
-  resolution.elements_per_radius = planned.scene.coupled ? 48 : 96;
+  resolution.elements_per_radius = 48;
   resolution.steps_per_cycle = planned.scene.coupled ? 72 : 144;
   resolution.n_angles = 8;
   resolution.periodicity /= 10;
@@ -225,10 +225,11 @@ std::optional<ErrorSource> what_widens(const ChangesWithBars& found) {
   return by_rings > by_steps ? ErrorSource::rings : ErrorSource::time_step;
 }
 
-/// How often a bar that is too wide has rings or steps halved: not on a layer, where a step of a coupled contact takes
-/// fifty times as long as one with given pressures.
-int most_refinements(const MapScene& scene) {
-  return scene.coupled && scene.radius_over_thickness > 0 ? 0 : 2;
+/// Whether a bar that is too wide has rings or steps halved, once: not on a layer, where a step of a coupled contact
+/// takes fifty times as long as one with given pressures. Rings that are halved again let micro-slip settle so slowly
+/// that they widen the bar.
+bool is_refined(const MapScene& scene) {
+  return !scene.coupled || scene.radius_over_thickness == 0;
 }
 
 }  // namespace
@@ -293,32 +294,38 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double f
   const auto input = case_of(planned.scene);
   auto point = point_by_mdr(planned, input);
   SceneChanges changes(input, point.at, bodies);
-  auto resolution = first_resolution(changes.fem(), planned, point.at, fineness);
+  const auto resolution = first_resolution(changes.fem(), planned, point.at, fineness);
   auto found = with_bars(changes, resolution);
-  for (int left = fineness < 1 ? 0 : most_refinements(planned.scene); left > 0; --left) {
-    const auto source = what_widens(found);
-    if (!source) break;
-    resolution = *refined(resolution, *source);
-    found = with_bars(changes, resolution);
-  }
+  if (const auto source = what_widens(found); source && fineness >= 1 && is_refined(planned.scene))
+    found = with_bars(changes, *refined(resolution, *source));
   point.changes = std::move(found.changes);
   return point;
 }
 
-std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, BodyStore& bodies,
-                                   const std::function<void(const MapPoint&, std::size_t)>& done) {
+std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, const std::vector<MapPoint>& known,
+                                   BodyStore& bodies,
+                                   const std::function<void(const std::vector<MapPoint>&, std::size_t)>& done) {
   std::vector<MapPoint> points(planned.size());
-  std::mutex mutex;
-  std::size_t n_done = 0;
   for_each_in_parallel(planned.size(), [&](std::size_t i) {
+    points[i] = point_by_mdr(planned[i], case_of(planned[i].scene));
+    for (const auto& point : known)
+      if (is_same_scene(point, points[i])) points[i].changes = point.changes;
+  });
+  std::vector<std::size_t> missing;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i].changes.empty()) missing.push_back(i);
+  std::mutex mutex;
+  for_each_in_parallel(missing.size(), [&](std::size_t n) {
+    const auto i = missing[n];
+    MapPoint point;
     try {
-      points[i] = computed_point(planned[i], bodies);
+      point = computed_point(planned[i], bodies);
     } catch (const std::runtime_error& error) {  // the others are known all the same
       log::warn(fmt::format("{}, c/a = {}: {}", planned[i].map, planned[i].scene.stick_ratio, error.what()));
-      points[i] = point_by_mdr(planned[i], case_of(planned[i].scene));
     }
     const std::lock_guard<std::mutex> lock(mutex);
-    done(points[i], ++n_done);
+    points[i].changes = std::move(point.changes);
+    done(points, i);
   });
   return points;
 }

@@ -26,13 +26,15 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input);
 /// Computes the change by friction whose direction turns, and by coupling where the scene has it: values by finite
 /// elements on rings and angles over those on the same rings, in which errors of rings and steps cancel. Its bar adds
 /// what rings, steps and angles leave, by the orders that coarser computations show (error_budget), and what has not
-/// settled. Where a bar is wider than a tenth of its effect, rings or time steps are halved, up to twice, on a layer
+/// settled. Where a bar is wider than a tenth of its effect, rings or time steps are halved once, on a layer
 /// never. fineness: rings and steps over the usual ones; with less than 1 nothing is halved. Throws fem::SolverError.
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness = 1);
 
-/// All points on all cores, in the order of the plan. done: called after each point, one call at a time. A point that
-/// fails is told to the log, and has no changes.
-std::vector<MapPoint> computed_map(const std::vector<PlannedPoint>& planned, BodyStore& bodies,
-                                   const std::function<void(const MapPoint&, std::size_t n_done)>& done);
+/// All points on all cores, in the order of the plan. known: points that are not computed again, as far as they are of
+/// planned scenes. done: called after each point that was computed, one call at a time, with all points, of which those
+/// that are still missing have no changes. A point that fails is told to the log, and has no changes.
+std::vector<MapPoint> computed_map(
+    const std::vector<PlannedPoint>& planned, const std::vector<MapPoint>& known, BodyStore& bodies,
+    const std::function<void(const std::vector<MapPoint>& points, std::size_t computed)>& done);
 
 }  // namespace fretval

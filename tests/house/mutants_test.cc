@@ -1,9 +1,11 @@
+#include <fnmatch.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <string>
@@ -61,6 +63,61 @@ TEST(Mutants, AllApply) {
     EXPECT_EQ(defect(mutant, text.str()), "") << name << " in " << file;
     EXPECT_TRUE(names.insert(name).second) << name << " is there twice";
   }
+}
+
+/// Names of the tests in a text as GoogleTest has them, those with a parameter by the first of each instantiation.
+std::set<std::string> tests_in(const std::string& text) {
+  const auto all = [&](const std::string& pattern) {
+    const std::regex regex(pattern);
+    return std::vector<std::smatch>(std::sregex_iterator(text.begin(), text.end(), regex), {});
+  };
+  std::set<std::string> tests;
+  for (const auto& match : all(R"(\nTEST(?:_F)?\(\s*(\w+),\s*(\w+)\))"))
+    tests.insert(match.str(1) + "." + match.str(2));
+  for (const auto& match : all(R"(\nTEST_P\(\s*(\w+),\s*(\w+)\))"))
+    for (const auto& instance : all(R"(\nINSTANTIATE_TEST_SUITE_P\(\s*(\w+),\s*)" + match.str(1) + ","))
+      tests.insert(instance.str(1) + "/" + match.str(1) + "." + match.str(2) + "/0");
+  return tests;
+}
+
+std::set<std::string> tests_of_folder(const std::string& folder) {
+  std::set<std::string> tests;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(FRETVAL_SOURCE_DIR) / "tests" / folder)) {
+    if (entry.path().extension() != ".cc") continue;
+    std::ifstream stream(entry.path());
+    std::stringstream text;
+    text << '\n' << stream.rdbuf();
+    tests.merge(tests_in(text.str()));
+  }
+  return tests;
+}
+
+/// Patterns of a filter of GoogleTest that no test has.
+std::vector<std::string> without_a_test(const std::string& filter, const std::set<std::string>& tests) {
+  std::vector<std::string> found;
+  std::istringstream stream(filter);
+  for (std::string pattern; std::getline(stream, pattern, ':');)
+    if (std::none_of(tests.begin(), tests.end(),
+                     [&](const std::string& test) { return fnmatch(pattern.c_str(), test.c_str(), 0) == 0; }))
+      found.push_back(pattern);
+  return found;
+}
+
+TEST(Mutants, NameTestsThatAreThere) {
+  std::map<std::string, std::set<std::string>> tests;
+  for (const auto& mutant : all_mutants()) {
+    if (mutant.count("tests") == 0) continue;
+    const auto folder = fs::path(mutant.at("file")).begin()->string();
+    if (tests.count(folder) == 0) tests[folder] = tests_of_folder(folder);
+    for (const auto& pattern : without_a_test(mutant.at("tests"), tests[folder]))
+      ADD_FAILURE() << mutant.at("mutant") << ": no test of " << folder << " is called " << pattern;
+  }
+}
+
+TEST(Mutants, TheCheckSeesNamesOfNoTest) {
+  const auto tests = tests_in("\nTEST(A, One) {}\nTEST_P(B, Two) {}\nINSTANTIATE_TEST_SUITE_P(Of, B, Values(1));\n");
+  EXPECT_EQ(tests, (std::set<std::string>{"A.One", "Of/B.Two/0"}));
+  EXPECT_EQ(without_a_test("A.*:A:Of/B.*:B*:*Two*", tests), (std::vector<std::string>{"A", "B*"}));
 }
 
 TEST(Mutants, AreManyInEveryFolder) {

@@ -135,6 +135,10 @@ Body condense(Operators&& operators, const RingEdges& edges) {
 Body make_body(const BodyDescription& description) {
   RingEdges edges;
   if (!description.is_half_space()) edges = ring_edges(contact_body(make_body(half_space_with_rings_of(description))));
+  return make_body(description, edges);
+}
+
+Body make_body(const BodyDescription& description, const RingEdges& edges) {
   Stopwatch watch;
   const auto mesh = mesh_of(description);
   const double seconds = watch.lap();

@@ -81,6 +81,9 @@ Body condense(Operators&& operators, const RingEdges& edges = {});
 /// The body of a description on a generated mesh; its cost includes the meshing.
 Body make_body(const BodyDescription& description);
 
+/// The same with ring edges that are known, or none where nothing is read at an edge.
+Body make_body(const BodyDescription& description, const RingEdges& edges);
+
 /// Mesh quality, cost and size of a body.
 struct BodySummary {
   meshes::MeshQuality mesh_quality;

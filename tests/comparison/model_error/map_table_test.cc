@@ -26,6 +26,16 @@ TEST(MapTable, ComesBackFromItsText) {
   EXPECT_EQ(csv_of(again), csv_of(points));
 }
 
+TEST(MapPoint, IsOfTheSameSceneWhateverIsKnownOfIt) {
+  const auto points = made_up_map();
+  auto known = points.front();
+  known.changes.clear();
+  EXPECT_TRUE(is_same_scene(known, points.front()));
+  EXPECT_FALSE(is_same_scene(points.back(), points.front()));
+  known.friction_coefficient += 0.1;
+  EXPECT_FALSE(is_same_scene(known, points.front()));
+}
+
 TEST(MapTable, TellsWhatIsWrong) {
   const auto text = csv_of(made_up_map());
   EXPECT_THROW(points_of_csv("map,scene\n"), InputError);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -25,6 +26,25 @@ TEST(PointByMdr, HasBothOfItsModels) {
   EXPECT_NEAR(point.at.radius_over_thickness, 1, 1e-6);
   EXPECT_LT(point.own.radius_over_thickness, 1);
   EXPECT_LT(point.own_over_body.at(Quantity::normal_force_max), 0.8);
+}
+
+TEST(ComputedMap, KeepsThePointsThatAreKnown) {
+  std::vector<PlannedPoint> planned;
+  std::vector<MapPoint> known;
+  for (const double phase : {90.0, 60.0}) {
+    MapScene scene{0.7};
+    scene.phase = phase;
+    planned.push_back({"phase", "parabola", scene});
+    known.push_back(point_by_mdr(planned.back(), case_of(scene)));
+    known.back().changes[Quantity::friction_work] = {phase / 1000, 1e-3};
+  }
+  std::reverse(known.begin(), known.end());
+  BodyStore bodies;
+  const auto points = computed_map(planned, points_of_csv(csv_of(known)), bodies,
+                                   [](const std::vector<MapPoint>&, std::size_t) { FAIL() << "nothing is missing"; });
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[0].changes.at(Quantity::friction_work).value, 0.09);
+  EXPECT_EQ(points[1].changes.at(Quantity::friction_work).value, 0.06);
 }
 
 // At nu = 0 both tangential responses are equal: a direction of friction that turns changes nothing. Over an
