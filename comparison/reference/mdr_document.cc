@@ -54,12 +54,13 @@ MdrDocument answer_displacements(const Case& input) {
   return document;
 }
 
-ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
+/// displacement: see IncompressibleCase.
+ordered_json state_json(const std::optional<mdr::LimitingState>& state, double displacement) {
   if (!state) return nullptr;
   return {{"stick_radius", state->stick_radius},
           {"indentation", state->motion.indentation},
           {"normal_amplitude", state->motion.normal_amplitude},
-          {"tangential_amplitude", state->motion.tangential_amplitude},
+          {"tangential_amplitude", state->motion.tangential_amplitude / displacement},
           {"phase", state->motion.phase ? ordered_json(*state->motion.phase * 180 / pi) : nullptr},
           {"normal_force_mean", state->mean_normal_force},
           {"normal_force_amplitude", state->normal_force_amplitude},
@@ -76,7 +77,7 @@ std::optional<double> normal_force_max_of(const Case& input, const mdr::Limiting
   return mdr::maximum_indentation(harmonic_motion_of(input.motion));
 }
 
-ordered_json state_json(const std::optional<mdr::LimitingMotion>& state) {
+ordered_json state_json(const std::optional<mdr::LimitingMotion>& state, double /*displacement*/) {
   if (!state) return nullptr;
   return {{"stick_radius", state->stick_radius}, {"indentation", state->motion.indentation}};
 }
@@ -84,7 +85,8 @@ ordered_json state_json(const std::optional<mdr::LimitingMotion>& state) {
 /// The answer to a prescribed force: the fully worn contact, in which forces and displacements are linear in each
 /// other. state_of(profile, body, criterion): the limiting state by a criterion.
 template <class StateOf>
-MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of) {
+MdrDocument answer_by_limiting_state(const IncompressibleCase& equivalent, const StateOf& state_of) {
+  const auto& [input, displacement] = equivalent;
   const auto profile = profile_of(input.indenter);
   const auto body = rheology_of(input.elastomer);
   const auto first_slip = state_of(profile, body, mdr::StickCriterion::first_slip);
@@ -101,16 +103,19 @@ MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of)
     answer.normal_force_max = normal_force_max_of(input, *shakedown);
   }
   document.json["mdr"] = to_json(answer);
-  document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
+  document.json["limiting_state"] = {{"first_slip", state_json(first_slip, displacement)},
+                                     {"shakedown", state_json(shakedown, displacement)}};
   return document;
 }
 
-MdrDocument answer_forces(const Case& input) {
+MdrDocument answer_forces(const IncompressibleCase& equivalent) {
+  const auto& input = equivalent.input;
   const auto control = control_of({harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
                                    input.motion.tangential_force.has_value()});
-  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
-    return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
-  });
+  return answer_by_limiting_state(
+      equivalent, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
+        return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
+      });
 }
 
 /// Whether the limiting state is known in closed form.
@@ -120,12 +125,14 @@ bool has_one_frequency(const Case::Motion& motion) {
 }
 
 /// Prescribed forces with several harmonics or frequencies, whose limiting state has no closed form.
-MdrDocument answer_harmonics_of_forces(const Case& input) {
+MdrDocument answer_harmonics_of_forces(const IncompressibleCase& equivalent) {
+  const auto& input = equivalent.input;
   const auto motion = harmonic_motion_of(input.motion);
   const bool normal = input.motion.normal_force.has_value(), tangential = input.motion.tangential_force.has_value();
-  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
-    return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
-  });
+  return answer_by_limiting_state(
+      equivalent, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
+        return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
+      });
 }
 
 MdrDocument answer_comparable(const Case& input) {
@@ -190,8 +197,8 @@ ordered_json wear_json(const Case& input) {
   return to_json(*kinetics);
 }
 
-/// Refuses what MDR knows of a case but the document does not have. displacement: see incompressible_case.
-void require_printable(const Case& input, bool with_springs, double displacement) {
+/// Refuses what MDR knows of a case but the document does not have.
+void require_printable(const Case& input, bool with_springs) {
   const auto shape = input.body.shape;
   const bool layer = shape == Case::Body::Shape::layer;
   if (!layer && !input.body.is_half_space())
@@ -202,18 +209,14 @@ void require_printable(const Case& input, bool with_springs, double displacement
   if (layer && with_springs)
     throw InputError(fmt::format(
         "{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out", input.file));
-  if (displacement != 1 && (with_springs || input.wear_kinetics || oscillates_under_forces(input)))
-    throw InputError(
-        fmt::format("{}: Elastomer / Poisson ratio = {:g}: springs, wear and limiting states under forces are printed "
-                    "for 0.5; `fretval run` takes any",
-                    input.file, input.elastomer.poisson_ratio));
 }
 
-/// input: the incompressible case that stands for the case of any body.
-MdrDocument answer_to(const Case& input_of_any_body, const Case& input) {
+MdrDocument answer_to(const Case& input_of_any_body) {
   if (input_of_any_body.body.shape == Case::Body::Shape::layer) return answer_comparable(input_of_any_body);
+  const auto equivalent = incompressible_case(input_of_any_body);
+  const auto& input = equivalent.input;
   if (oscillates_under_forces(input))
-    return has_one_frequency(input.motion) ? answer_forces(input) : answer_harmonics_of_forces(input);
+    return has_one_frequency(input.motion) ? answer_forces(equivalent) : answer_harmonics_of_forces(equivalent);
   // The stick radii of a fractional body need no approximation of it.
   const bool is_exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
   const bool has_forces = input.motion.path || (is_comparable(input) && !is_exact);
@@ -227,6 +230,38 @@ SpringAnswer springs_along_path(const Case& input, const SpringSetting& setting)
                        {setting.n_springs, setting.steps_per_cycle, setting.n_ramp_periods, setting.periodicity});
   const auto n_steps = static_cast<int>(history.time.size()) - 1;
   return {std::move(bed), std::move(history), n_steps};
+}
+
+SpringAnswer springs_of_oscillation(const Case& input, const SpringSetting& setting) {
+  const auto body = body_in_time(input);
+  const auto profile = profile_of(input.indenter);
+  const mdr::Prescribed prescribed{harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
+                                   input.motion.tangential_force.has_value()};
+  const auto repeating = mdr::repeating_motion(prescribed.motion, setting.n_oscillations);
+  const double period = repeating.period();
+  const int n_ramp = repeating.periods_with(setting.n_ramp_periods),
+            steps = setting.steps_per_cycle *
+                    static_cast<int>(std::lround(mdr::highest_frequency(repeating.motion) * period));
+  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::deepest_indentation(profile, body, prescribed));
+  auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
+  auto history = mdr::spring_history(bed, body, input.friction_coefficient,
+                                     mdr::loading_of(prescribed, repeating, n_ramp * period),
+                                     {period, steps, n_ramp, 2000, setting.periodicity});
+  return {std::move(bed), std::move(history), steps};
+}
+
+/// Turns a history of the incompressible springs that stand for those of a case (IncompressibleCase) into that of the
+/// case: tangential displacements and works change, forces do not.
+void turn_into_body_of_case(double displacement, mdr::SpringHistory& history) {
+  const double normal_loss = history.bulk_work + history.friction_work - history.tangential_work,
+               normal_work = history.indenter_work - history.tangential_work;
+  for (double* value : {&history.largest_shift, &history.friction_work, &history.tangential_work})
+    *value /= displacement;
+  for (double& value : history.tangential_displacement) value /= displacement;
+  history.slip_amplitude /= displacement;
+  for (auto& slip : history.slip_of_periods) slip /= displacement;
+  history.bulk_work = normal_loss + history.tangential_work - history.friction_work;
+  history.indenter_work = normal_work + history.tangential_work;
 }
 
 }  // namespace
@@ -250,12 +285,11 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
           {"kramers_kronig", check}};
 }
 
-MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
-  const auto [input, displacement] = incompressible_case(input_of_any_body);
-  require_printable(input_of_any_body, with_springs, displacement);
+MdrDocument mdr_document(const Case& input, bool with_springs) {
+  require_printable(input, with_springs);
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
-    auto document = answer_to(input_of_any_body, input);
+    auto document = answer_to(input);
     ordered_json json{{"name", input.name}};
     json.update(document.json);
     json["limiting_profile"] = profile_json(document.worn);
@@ -269,25 +303,13 @@ MdrDocument mdr_document(const Case& input_of_any_body, bool with_springs) {
   }
 }
 
-SpringAnswer spring_answer(const Case& input, const SpringSetting& setting) {
-  if (input.wear == Case::Wear::limiting)
-    throw InputError(input.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
-  if (input.motion.path) return springs_along_path(input, setting);
-  const auto body = body_in_time(input);
-  const auto profile = profile_of(input.indenter);
-  const mdr::Prescribed prescribed{harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
-                                   input.motion.tangential_force.has_value()};
-  const auto repeating = mdr::repeating_motion(prescribed.motion, setting.n_oscillations);
-  const double period = repeating.period();
-  const int n_ramp = repeating.periods_with(setting.n_ramp_periods),
-            steps = setting.steps_per_cycle *
-                    static_cast<int>(std::lround(mdr::highest_frequency(repeating.motion) * period));
-  const double outer = 1.001 * mdr::inverse_transform(profile, mdr::deepest_indentation(profile, body, prescribed));
-  auto bed = mdr::spring_bed(profile, std::min(outer, mdr::end_radius(profile)), setting.n_springs);
-  auto history = mdr::spring_history(bed, body, input.friction_coefficient,
-                                     mdr::loading_of(prescribed, repeating, n_ramp * period),
-                                     {period, steps, n_ramp, 2000, setting.periodicity});
-  return {std::move(bed), std::move(history), steps};
+SpringAnswer spring_answer(const Case& input_of_any_body, const SpringSetting& setting) {
+  if (input_of_any_body.wear == Case::Wear::limiting)
+    throw InputError(input_of_any_body.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  const auto [input, displacement] = incompressible_case(input_of_any_body);
+  auto answer = input.motion.path ? springs_along_path(input, setting) : springs_of_oscillation(input, setting);
+  if (displacement != 1) turn_into_body_of_case(displacement, answer.history);
+  return answer;
 }
 
 }  // namespace fretval

@@ -34,7 +34,9 @@ struct SpringSetting {
   int n_oscillations = 96;  ///< in a cycle that stands for a motion without period, see mdr::repeating_motion
 };
 
-/// History of the transient spring foundation of a case; the indenter is unworn, also where forces are prescribed.
+/// History of the transient spring foundation of a case over a half-space; the indenter is unworn, also where forces
+/// are prescribed. States of the springs (SpringHistory::deepest, highest, last) and their mean traction are those of
+/// the incompressible springs that stand for those of the case, with MdrCase::body and MdrCase::displacement.
 struct SpringAnswer {
   mdr::SpringBed bed;
   mdr::SpringHistory history;
@@ -42,8 +44,8 @@ struct SpringAnswer {
 };
 SpringAnswer spring_answer(const Case& input, const SpringSetting& setting = {});
 
-/// Fields on the surface over r, at the largest and smallest indentation of the periodic state, and in the limiting
-/// state at the largest one.
+/// Fields on the surface of a half-space over r, at the largest and smallest indentation of the periodic state, and in
+/// the limiting state at the largest one.
 std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn);
 
 }  // namespace fretval

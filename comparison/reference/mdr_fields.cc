@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "comparison/reference/mdr_case.h"
@@ -15,14 +17,15 @@ Column column(const std::string& name, const Eigen::VectorXd& r, const Function&
   return {name, r.unaryExpr(f)};
 }
 
-void add_spring_columns(const mdr::SpringFields& fields, const std::string& position, const Eigen::VectorXd& r,
-                        std::vector<Column>& columns) {
+/// displacement: see MdrCase.
+void add_spring_columns(const mdr::SpringFields& fields, double displacement, const std::string& position,
+                        const Eigen::VectorXd& r, std::vector<Column>& columns) {
   columns.push_back(column("p " + position + " [Pa]", r, [&](double x) { return mdr::pressure(fields, x); }));
   columns.push_back(column("tau " + position + " [Pa]", r, [&](double x) { return mdr::traction(fields, x); }));
   columns.push_back(
       column("u_z " + position + " [m]", r, [&](double x) { return mdr::normal_displacement(fields, x); }));
-  columns.push_back(
-      column("u_x " + position + " [m]", r, [&](double x) { return mdr::tangential_displacement(fields, x); }));
+  columns.push_back(column("u_x " + position + " [m]", r,
+                           [&](double x) { return mdr::tangential_displacement(fields, x) / displacement; }));
 }
 
 /// Adds the columns of the worn contact at the largest indentation: the pressure with and without its singular part,
@@ -39,6 +42,11 @@ void add_worn_columns(const mdr::LimitingProfile& worn, const mdr::PronyBody& bo
 }  // namespace
 
 std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn) {
+  if (!input.body.is_half_space())
+    throw InputError(
+        fmt::format("{}: Body / Shape = {}: fields by springs are those of a half-space; leave --fields out, "
+                    "or run the case with Output / Fields",
+                    input.file, Case::Body::shape_names[static_cast<std::size_t>(input.body.shape)]));
   const auto springs = spring_answer(input);
   const auto mdr = mdr_case(input);
   const double a = mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));
@@ -47,8 +55,10 @@ std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::
   const Eigen::VectorXd r = Eigen::VectorXd::LinSpaced(n_field_points, 0.5 * width, (n_field_points - 0.5) * width);
   std::vector<Column> columns{{"r [m]", r}};
   columns.push_back(column("f [m]", r, [&](double x) { return mdr::shape(mdr.profile, x); }));
-  add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.deepest), "deepest", r, columns);
-  add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.highest), "highest", r, columns);
+  add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.deepest), mdr.displacement, "deepest", r,
+                     columns);
+  add_spring_columns(mdr::spring_fields(springs.bed, mdr.body, springs.history.highest), mdr.displacement, "highest", r,
+                     columns);
   const auto motion = mdr::one_harmonic_each(mdr.motion);
   if (worn && !mdr.has_forces() && motion && motion->phase) add_worn_columns(*worn, mdr.body, *motion, r, columns);
   return columns;

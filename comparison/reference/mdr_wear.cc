@@ -60,13 +60,17 @@ std::optional<mdr::WearKinetics> wear_kinetics_of(const Case& input, const MdrCa
   if (mdr.layer || wear.has_worn_before() || mdr.path || wear.law == Case::WearLaw::power || mdr.has_forces() ||
       !motion || !motion->phase || motion->normal_frequency != motion->tangential_frequency)
     return std::nullopt;
+  // Slip is longer by mdr.displacement here than in the body of the case.
   const double coefficient =
-      wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient;
+      (wear.law == Case::WearLaw::energy ? mdr.friction_coefficient * wear.coefficient : wear.coefficient) /
+      mdr.displacement;
   mdr::WearControl control{coefficient, n_cycles};
   control.n_springs *= fineness;
   control.steps_per_cycle *= fineness;
   control.largest_jump /= fineness;
-  return mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, control);
+  auto kinetics = mdr::wear_kinetics(mdr.profile, mdr.body, mdr.friction_coefficient, *motion, control);
+  for (auto& point : kinetics.curve) point.friction_work /= mdr.displacement;
+  return kinetics;
 }
 
 nlohmann::ordered_json to_json(const mdr::WearKinetics& kinetics) {

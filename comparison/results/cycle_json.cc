@@ -82,7 +82,7 @@ ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyB
 
 std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
-  if (!result.input.body.is_half_space() || result.mdr_case.displacement != 1) return {};  // springs of another body
+  if (!result.input.body.is_half_space()) return {};  // springs of another body
   const bool repeats = result.fem_case.has_period();
   if (!result.is_compared() || !unworn || !repeats || result.input.sweep || result.mdr.as<GrossSlipShare>()) return {};
   try {

@@ -104,6 +104,33 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
   EXPECT_TRUE(json.at("springs").at("warnings").empty());
 }
 
+std::string with_poisson_ratio(const std::string& text, const char* nu) {
+  return replace(text, "set Rheology", std::string("set Poisson ratio = ") + nu + "\n  set Rheology");
+}
+
+// The worn contact is a punch of radius c: F_N = 4 G c d/(1 - nu), F_x = 8 G c u_x/(2 - nu).
+TEST(MdrDocument, OfForcesOnACompressibleBodyHasItsDisplacements) {
+  const auto text =
+      replace(replace(elastic_case(), displacements, "set Normal force = 0.5\n  set Normal force amplitude = 0.1"),
+              "set Tangential amplitude = 1.5e-5", "set Tangential force amplitude = 0.05");
+  for (const auto& [nu, ratio] : {std::pair{"0", 0.0}, {"0.3", 0.3}, {"0.5", 0.5}}) {
+    const auto state = document_of(with_poisson_ratio(text, nu)).at("limiting_state").at("shakedown");
+    const double c = state.at("stick_radius"), G = 1e6;
+    EXPECT_NEAR(state.at("tangential_amplitude").get<double>() / (0.05 * (2 - ratio) / (8 * G * c)), 1, 1e-9) << nu;
+    EXPECT_NEAR(state.at("normal_amplitude").get<double>() / (0.1 * (1 - ratio) / (4 * G * c)), 1, 1e-9) << nu;
+  }
+}
+
+// Forces and works by springs against those of the answer, which are held to closed forms in incompressible_case_test.
+TEST(MdrDocument, SpringsOfACompressibleBodyHaveItsWorks) {
+  const auto json = document_of(with_poisson_ratio(valid_case, "0.3"), true);
+  for (const char* key : {"friction_work", "bulk_work", "normal_force_max", "stick_radius_shakedown"})
+    EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-2) << key;
+  EXPECT_NEAR(number(json, "springs", "indenter_work") /
+                  (number(json, "mdr", "friction_work") + number(json, "mdr", "bulk_work")),
+              1, 1e-2);
+}
+
 const std::string forces = "set Normal force = 0.5\n  set Normal force amplitude = 0.1";
 
 // Under two forces of any frequencies c bears F0 - (M+ + M-)/2 (tests/mdr/stick/limiting_motion_test.cc); elastic, with

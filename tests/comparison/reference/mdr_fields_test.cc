@@ -60,6 +60,29 @@ TEST(SurfaceColumns, OfASlidingSphereAreThoseOfBothEnds) {
   }
 }
 
+// Hertz with E* = 2 G/(1 - nu); tractions mu p move the middle by E*/G* mu d, with G* = 4 G/(2 - nu).
+TEST(SurfaceColumns, OfACompressibleBodyAreItsOwn) {
+  auto scene = read_case(elastic_case());
+  const double nu = 0.3, d = 12e-5, mu = 0.5, pi = std::acos(-1.0);
+  scene.elastomer.poisson_ratio = nu;
+  scene.motion.tangential_amplitude = 2e-3;
+  const auto columns = surface_columns(scene, std::nullopt);
+  const double peak = 4 * scene.elastomer.relaxed_modulus / (1 - nu) * std::sqrt(1e-2 * d) / (pi * 1e-2);
+  EXPECT_NEAR(column_of(columns, "p deepest [Pa]")[0], peak, 1e-2 * peak);
+  EXPECT_NEAR(column_of(columns, "tau deepest [Pa]")[0], -mu * peak, 1e-2 * mu * peak);
+  EXPECT_NEAR(column_of(columns, "u_z deepest [m]")[0], d, 1e-3 * d);
+  EXPECT_NEAR(column_of(columns, "u_x deepest [m]")[0], -mu * (2 - nu) / (2 * (1 - nu)) * d, 1e-3 * d);
+  scene.motion.tangential_amplitude = 1e-6;  // the middle sticks and moves with the indenter, at 60 degrees
+  EXPECT_NEAR(column_of(surface_columns(scene, std::nullopt), "u_x deepest [m]")[0], 0.5e-6, 1e-9);
+}
+
+TEST(SurfaceColumns, OfALayerAreRefused) {
+  auto scene = read_case(elastic_case());
+  scene.body.shape = Case::Body::Shape::layer;
+  scene.body.thickness = 3e-3;
+  EXPECT_THROW(surface_columns(scene, std::nullopt), InputError);
+}
+
 TEST(SurfaceColumns, OfTheLimitingStateAreThereForALockedPhase) {
   auto scene = read_case(elastic_case());
   const auto mdr = mdr_case(scene);

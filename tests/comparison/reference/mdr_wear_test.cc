@@ -23,6 +23,21 @@ TEST(MdrWear, HasKineticsOfLawsThatAreLinearInThePressure) {
   EXPECT_FALSE(kinetics_of("  set Law = power\n  set Exponent = 2\n  set Coefficient = 1e-12\n"));
 }
 
+// Archard's volume of a cycle is k over mu times what friction takes from it; in few cycles nothing else changes.
+TEST(MdrWear, OfACompressibleBodyIsThatOfItsSlip) {
+  for (const double nu : {0.0, 0.3, 0.5}) {
+    auto input = wearing_case("  set Coefficient = 1e-12\n").input;
+    input.elastomer.poisson_ratio = nu;
+    const auto mdr = mdr_case(input);
+    const auto kinetics = wear_kinetics_of(input, mdr, 10);
+    ASSERT_TRUE(kinetics);
+    const double friction = mdr_answer_with_cycle(mdr, mdr_normal_response(mdr)).cycle->value(Quantity::friction_work);
+    const auto& last = kinetics->curve.back();
+    EXPECT_NEAR(last.volume / (last.cycles * 1e-12 / input.friction_coefficient * friction), 1, 1e-2) << nu;
+    EXPECT_NEAR(last.friction_work / friction, 1, 1e-2) << nu;
+  }
+}
+
 TEST(MdrWear, SaysEachNumberOfTheCourseUnderItsKey) {
   mdr::WearKinetics kinetics;
   kinetics.curve = {{0, 0, 0, 3, 4, 5}, {10, 1, 2, 6, 7, 8}};
