@@ -306,6 +306,11 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
 SpringAnswer spring_answer(const Case& input_of_any_body, const SpringSetting& setting) {
   if (input_of_any_body.wear == Case::Wear::limiting)
     throw InputError(input_of_any_body.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
+  if (input_of_any_body.motion.moves_across())
+    throw InputError(fmt::format(
+        "{}: Motion: the indenter moves along x and y, of which springs of one direction know nothing; MDR's "
+        "answer is that of springs already, so leave --springs and --fields out",
+        input_of_any_body.file));
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   auto answer = input.motion.path ? springs_along_path(input, setting) : springs_of_oscillation(input, setting);
   if (displacement != 1) turn_into_body_of_case(displacement, answer.history);

@@ -164,9 +164,9 @@ std::string headline_of(const Ladder& ladder) {
                           whole.value > 0 ? "large" : "small");
   std::string reasons;
   for (const auto& rung : ladder.rungs)
-    if (const auto found = rung.off_by.find(radius->quantity); found != rung.off_by.end())
-      reasons += fmt::format("{}{} ({})", reasons.empty() ? ": " : "; ", reason_of(rung.rung, ladder.contact_radius),
-                             percent(found->second.change(), found->second.uncertainty));
+    if (const auto share = off_by_text(rung.off_by, radius->quantity); !share.empty())
+      reasons +=
+          fmt::format("{}{} ({})", reasons.empty() ? ": " : "; ", reason_of(rung.rung, ladder.contact_radius), share);
   return text + reasons;
 }
 

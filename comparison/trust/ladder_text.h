@@ -7,8 +7,9 @@
 
 namespace fretval {
 
-/// "MDR's shakedown radius is 20 % ± 0.002 % too small here: a layer 2 mm thick, a/H = 0.69 (+25 %)": of the shakedown
-/// radius or, where there is none, the first-slip or the contact radius; in brackets what an assumption changes.
+/// "MDR's shakedown radius is 20 % ± 0.002 % too small here: a layer 2 mm thick, a/H = 0.69 (-20 %)": of the shakedown
+/// radius or, where there is none, the first-slip or the contact radius; in brackets by how much MDR is off for each
+/// assumption alone, coupling against all the others.
 std::string headline_of(const Ladder& ladder);
 
 /// Headline, a table of quantities by rungs, and what is not computed, for the terminal.

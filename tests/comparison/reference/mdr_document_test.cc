@@ -131,6 +131,16 @@ TEST(MdrDocument, SpringsOfACompressibleBodyHaveItsWorks) {
               1, 1e-2);
 }
 
+TEST(MdrDocument, HasNoSpringsOfOneDirectionForAMotionInTwo) {
+  const auto around =
+      replace(valid_case, "set Tangential amplitude = 1.5e-5",
+              "set Tangential amplitude = 1.5e-5\n  set Transverse amplitude = 1.5e-5\n  set Transverse "
+              "phase = 0") +
+      "subsection Contact\n  set Friction = vector\nend\n";
+  EXPECT_NO_THROW(document_of(around));
+  EXPECT_THROW(document_of(around, true), InputError);
+}
+
 const std::string forces = "set Normal force = 0.5\n  set Normal force amplitude = 0.1";
 
 // Under two forces of any frequencies c bears F0 - (M+ + M-)/2 (tests/mdr/stick/limiting_motion_test.cc); elastic, with

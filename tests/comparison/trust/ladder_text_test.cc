@@ -30,9 +30,9 @@ Ladder made_up(std::size_t n_rungs) {
 
 TEST(LadderText, BeginsWithWhatADesignerAsks) {
   EXPECT_EQ(headline_of(made_up(1)),
-            "MDR's shakedown radius is 20 % ± 0.1 % too small here: a layer 2 mm thick, a/H = 0.6 (+25 %)");
+            "MDR's shakedown radius is 20 % ± 0.1 % too small here: a layer 2 mm thick, a/H = 0.6 (-20 %)");
   expect_parts(headline_of(made_up(2)),
-               {"11.1 % ± 0.1 % too small", "a layer 2 mm thick, a/H = 0.6 (+25 %); nu = 0.4 (-5 %)"});
+               {"11.1 % ± 0.1 % too small", "a layer 2 mm thick, a/H = 0.6 (-20 %); nu = 0.4 (+5.26 %)"});
 }
 
 TEST(LadderText, SaysSoWhereNothingIsResolved) {
