@@ -1,5 +1,6 @@
 #include "comparison/reference/layer_answer.h"
 
+#include "comparison/reference/springs_as_asked.h"
 #include "mdr/layer/coupled_path.h"
 #include "mdr/layer/coupled_response.h"
 #include "mdr/layer/layer_contact.h"
@@ -17,7 +18,11 @@ mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Presc
 }  // namespace
 
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
-  const auto [response, error] = stepped_on_layer(mdr, mdr.prescribed_normally(), 1);
+  const auto [response, error] = refined_until_known(
+      [&](const mdr::SteppedForcedResponse& stepped) {
+        return knows_normal_force(mdr, stepped.response.normal.normal_force_max, stepped.error.normal.normal_force_max);
+      },
+      [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), times); });
   auto normal = response.normal;
   // The contact of a viscoelastic layer reaches, as it grows, the radius of the contact with an elastic one at the same
   // indentation.

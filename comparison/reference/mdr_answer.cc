@@ -7,6 +7,7 @@
 #include "comparison/reference/layer_answer.h"
 #include "comparison/reference/mdr_case.h"
 #include "comparison/reference/plane_answer.h"
+#include "comparison/reference/springs_as_asked.h"
 #include "comparison/support/statistics.h"
 #include "mdr/springs/path_response.h"
 #include "mdr/springs/slip_of_periods.h"
@@ -25,26 +26,26 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
   return mdr.limiting && mdr.has_forces() ? mdr.limiting_state->motion : mdr.motion;
 }
 
-/// Whether springs know the cycle of an answer as well as the case asks for.
-bool knows_cycle(const MdrCase& mdr, const MdrAnswer& answer) {
+/// Whether springs know the stick radii and the cycle of an answer as well as the case asks for.
+bool is_known(const MdrCase& mdr, const MdrAnswer& answer) {
+  const double of_radii = std::max(answer.stepped.first_slip, answer.stepped.shakedown);
+  if (mdr.tolerance > 0 && of_radii > enough_of_springs * mdr.tolerance * answer.contact_radius_max.value_or(0))
+    return false;
   if (!mdr.cycle_tolerance || !answer.cycle) return true;
-  constexpr double share_of_springs = 0.25;
-  const double tolerance = share_of_springs * *mdr.cycle_tolerance;
+  const double tolerance = enough_of_springs * *mdr.cycle_tolerance;
   const Scales scales{0, answer.cycle->sliding_force, answer.cycle->sliding_work};
-  const auto is_known = [&](const auto& of_quantity) {
+  const auto reading_is_known = [&](const auto& of_quantity) {
     const auto& [quantity, reading] = of_quantity;
     const double value = reading.value.value_or(0);
     return value <= 0 || reading.uncertainty.value_or(0) <=
                              tolerance / traits_of(quantity).strictness * scale_of(quantity, scales, value);
   };
-  return std::all_of(answer.cycle->readings.begin(), answer.cycle->readings.end(), is_known);
+  return std::all_of(answer.cycle->readings.begin(), answer.cycle->readings.end(), reading_is_known);
 }
 
 /// answer_with: as many times the usual springs and steps.
-MdrAnswer with_known_cycle(const MdrCase& mdr, const std::function<MdrAnswer(int times)>& answer_with) {
-  constexpr int most_times = 8;
-  for (int times = 1;; times *= 2)
-    if (auto answer = answer_with(times); times == most_times || knows_cycle(mdr, answer)) return answer;
+MdrAnswer as_known_as_asked(const MdrCase& mdr, const std::function<MdrAnswer(int times)>& answer_with) {
+  return refined_until_known([&](const MdrAnswer& answer) { return is_known(mdr, answer); }, answer_with);
 }
 
 mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
@@ -174,8 +175,15 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   auto path = *mdr.path;
   path.tangential_force = false;
   std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
-  auto [forces, error, course] =
-      mdr.layer ? layer_path_forces(mdr, 1, path, {}) : mdr::path_forces(mdr.profile, mdr.body, 1, path);
+  auto [forces, error, course] = refined_until_known(
+      [&](const mdr::SteppedPathForces& stepped) {
+        return knows_normal_force(mdr, stepped.forces.normal_force_max, stepped.error.normal_force_max);
+      },
+      [&](int times) {
+        const auto fineness = finer(mdr::PathFineness{}, times);
+        return mdr.layer ? layer_path_forces(mdr, 1, path, fineness)
+                         : mdr::path_forces(mdr.profile, mdr.body, 1, path, fineness);
+      });
   auto& history = course.history;
   const double start = history.time.front();
   for (double& time : history.time) time -= start;
@@ -260,7 +268,7 @@ MdrAnswer incompressible_answer(const MdrCase& mdr, const mdr::NormalResponse& n
     return mdr.path ? path_answer(mdr, normal, times) : forced_answer(mdr, normal, times);
   };
   const bool is_stepped = moves_in_plane(mdr) || mdr.path || mdr.layer || (mdr.has_forces() && !mdr.limiting);
-  auto answer = is_stepped ? with_known_cycle(mdr, stepped) : closed_answer(mdr, normal);
+  auto answer = is_stepped ? as_known_as_asked(mdr, stepped) : closed_answer(mdr, normal);
   answer.modulus_ratio = modulus_ratio_of(mdr);
   keep_to(mdr.motion_kind, answer);
   if (mdr.layer && mdr.path)
@@ -330,7 +338,7 @@ MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& n
   if (moves_in_plane(mdr)) return in_body_of_case(std::move(answer), mdr.displacement);
   if (mdr.layer) return answer;  // a decay of slip is of springs that do not know of each other
   if (!mdr.has_forces())
-    answer = with_known_cycle(mdr, [&](int times) {
+    answer = as_known_as_asked(mdr, [&](int times) {
       auto with_cycle = answer;
       with_cycle.cycle = displaced_cycle(mdr, normal, times);
       return with_cycle;

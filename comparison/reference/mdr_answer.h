@@ -27,8 +27,8 @@ MdrAnswer no_answer(const MdrCase& mdr);
 std::optional<SettlingCycles> settling_cycles(const MdrCase& mdr, const MdrAnswer& answer, int n_ramp);
 
 /// MDR's answer and its cycle under prescribed displacements, too, for which springs are stepped: ten milliseconds
-/// for what is a closed form otherwise. With a tolerance of a cycle, of up to eight times the springs and steps, until
-/// their error is a quarter of it.
+/// for what is a closed form otherwise. Springs and their steps are as many as the tolerances of the case ask for
+/// (refined_until_known).
 MdrAnswer mdr_answer_with_cycle(const MdrCase& mdr, const mdr::NormalResponse& normal);
 
 }  // namespace fretval

@@ -233,6 +233,7 @@ MdrCase mdr_case(const Case& input_of_any_body) {
   mdr.normal_force = motion.normal_force.has_value();
   mdr.tangential_force = motion.tangential_force.has_value();
   mdr.displacement = displacement;
+  mdr.tolerance = input.tolerance;
   mdr.cycle_tolerance = input.cycle_tolerance;
   if (motion.path) {
     mdr.path = *motion.path;

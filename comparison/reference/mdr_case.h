@@ -42,7 +42,9 @@ struct MdrCase {
 
   double displacement = 1;  ///< tangential displacements here over those of the case, see incompressible_case
 
-  /// On forces and energies of a cycle, which springs are refined to a quarter of (see mdr_answer_with_cycle).
+  /// Of the case, on stick radii over the contact radius (0: none), and on forces and energies of a cycle. Springs are
+  /// refined to a quarter of them (see enough_of_springs).
+  double tolerance = 0;
   std::optional<double> cycle_tolerance = {};
 
   [[nodiscard]] bool is_single_pass() const { return is_pass(motion_kind); }
