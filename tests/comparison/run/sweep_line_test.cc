@@ -108,7 +108,9 @@ TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
   const auto force = replace(elastic_case(), "Indentation = 1e-4\n  set Normal amplitude = 2e-5",
                              "Normal force = 0.5\n  set Normal force amplitude = 0.1");
   const auto harmonics = replace(elastic_case(), "Phase = 60", "Phase = 60\n  set Normal harmonics = 5e-6, 2, 30");
-  for (const auto& text : {force, harmonics}) {
+  const auto layer =
+      elastic_case() + "subsection Body\n  set Shape = layer\n  set Thickness = 2 mm\n  set Base = bonded\nend\n";
+  for (const auto& text : {force, harmonics, layer}) {
     const ScratchFolder folder;
     write_lines(read_case_file(swept(folder, "Friction / Coefficient", "0.3, 0.5", text)), folder.path());
     const auto line = [&](Quantity quantity) {
