@@ -64,7 +64,8 @@ struct Dot {
   bool is_known;
 };
 
-std::vector<Dot> dots_of(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity) {
+/// least: the lowest line, nearer to which nothing is shown.
+std::vector<Dot> dots_of(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity, double least) {
   constexpr double known_to = 0.1;
   const double top = largest_value(points, kind);
   std::vector<Dot> dots;
@@ -73,7 +74,7 @@ std::vector<Dot> dots_of(const std::vector<MapPoint>& points, MapKind kind, Quan
     const auto off = point.own_off_by(quantity);
     if (point.map != name_of(kind) || !ratio || !off) continue;
     const Dot dot{(*ratio - least_mapped_ratio) / (most_mapped_ratio - least_mapped_ratio),
-                  value_on(kind, point.own) / top, off->bar <= known_to * std::abs(off->value)};
+                  value_on(kind, point.own) / top, off->bar <= known_to * std::max(std::abs(off->value), least)};
     dots.push_back(dot);
     if (kind == MapKind::phase && dot.y == 0) dots.push_back({dot.x, 1, dot.is_known});
   }
@@ -124,7 +125,8 @@ LevelLine hatching_of(const Grid& grid, const std::vector<Dot>& dots) {
 MapLines map_lines(const std::vector<MapPoint>& points, MapKind kind, Quantity quantity,
                    const std::vector<double>& levels) {
   const auto grid = grid_of(points, kind, quantity);
-  MapLines lines{std::vector<LevelLine>(levels.size()), hatching_of(grid, dots_of(points, kind, quantity))};
+  const double least = levels.empty() ? 0 : *std::min_element(levels.begin(), levels.end());
+  MapLines lines{std::vector<LevelLine>(levels.size()), hatching_of(grid, dots_of(points, kind, quantity, least))};
   for (std::size_t k = 0; k < levels.size(); ++k)
     for (const double side : {levels[k], -levels[k]}) add_line(grid, side, lines.levels[k]);
   return lines;

@@ -19,7 +19,8 @@ struct MapLines {
   /// Lines on which MDR over an incompressible half-space is off by each of the levels, in either direction. They are
   /// straight in the triangles of a regular grid.
   std::vector<LevelLine> levels;
-  /// Oblique lines over the part whose nearest computed point has a bar of more than a tenth of what it shows.
+  /// Oblique lines over the part whose nearest computed point has a bar of more than a tenth of what it shows, or of the
+  /// lowest level where it shows less.
   LevelLine hatching;
 };
 

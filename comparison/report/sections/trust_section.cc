@@ -122,7 +122,7 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
   }
   return {plot,
           fmt::format("Where MDR over an incompressible half-space is off by so much in the {}; parabola, elastic, "
-                      "μ = 0.5, k = 0.5. Hatched: near points whose error bar is more than a tenth of what they show.",
+                      "μ = 0.5, k = 0.5. Hatched: near points whose error bar is more than a tenth of what they show, and 0.1 %.",
                       traits_of(quantity).title)};
 }
 

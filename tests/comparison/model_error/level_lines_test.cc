@@ -47,6 +47,10 @@ TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
     EXPECT_LT(std::hypot(across, up), 0.4);
   }
   EXPECT_LT(nearest, 0.05);
+  const double of_line = 2 * std::abs(wide.own_off_by(radius)->value);
+  wide.changes.at(radius).bar = 0.15 * std::abs(wide.changes.at(radius).value);
+  EXPECT_FALSE(map_lines(points, MapKind::phase, radius, {of_line / 10}).hatching.x.empty());
+  EXPECT_TRUE(map_lines(points, MapKind::phase, radius, {of_line}).hatching.x.empty());
 }
 
 }  // namespace
