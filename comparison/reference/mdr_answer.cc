@@ -28,19 +28,21 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
 
 /// Whether springs know the stick radii and the cycle of an answer as well as the case asks for.
 bool is_known(const MdrCase& mdr, const MdrAnswer& answer) {
-  const double of_radii = std::max(answer.stepped.first_slip, answer.stepped.shakedown);
-  if (mdr.tolerance > 0 && of_radii > enough_of_springs * mdr.tolerance * answer.contact_radius_max.value_or(0))
+  const double a = answer.contact_radius_max.value_or(0);
+  const auto radius_is_known = [&](Quantity quantity, double error) {
+    return mdr.tolerance == 0 || is_known_to(mdr.tolerance, quantity, a, error, {a, 0, 0});
+  };
+  if (!radius_is_known(Quantity::stick_radius_first_slip, answer.stepped.first_slip) ||
+      !radius_is_known(Quantity::stick_radius_shakedown, answer.stepped.shakedown))
     return false;
   if (!mdr.cycle_tolerance || !answer.cycle) return true;
-  const double tolerance = enough_of_springs * *mdr.cycle_tolerance;
   const Scales scales{0, answer.cycle->sliding_force, answer.cycle->sliding_work};
-  const auto reading_is_known = [&](const auto& of_quantity) {
+  const auto& readings = answer.cycle->readings;
+  return std::all_of(readings.begin(), readings.end(), [&](const auto& of_quantity) {
     const auto& [quantity, reading] = of_quantity;
     const double value = reading.value.value_or(0);
-    return value <= 0 || reading.uncertainty.value_or(0) <=
-                             tolerance / traits_of(quantity).strictness * scale_of(quantity, scales, value);
-  };
-  return std::all_of(answer.cycle->readings.begin(), answer.cycle->readings.end(), reading_is_known);
+    return value <= 0 || is_known_to(*mdr.cycle_tolerance, quantity, value, reading.uncertainty.value_or(0), scales);
+  });
 }
 
 /// answer_with: as many times the usual springs and steps.

@@ -54,13 +54,12 @@ MdrDocument answer_displacements(const Case& input) {
   return document;
 }
 
-/// displacement: see IncompressibleCase.
-ordered_json state_json(const std::optional<mdr::LimitingState>& state, double displacement) {
+ordered_json state_json(const std::optional<mdr::LimitingState>& state) {
   if (!state) return nullptr;
   return {{"stick_radius", state->stick_radius},
           {"indentation", state->motion.indentation},
           {"normal_amplitude", state->motion.normal_amplitude},
-          {"tangential_amplitude", state->motion.tangential_amplitude / displacement},
+          {"tangential_amplitude", state->motion.tangential_amplitude},
           {"phase", state->motion.phase ? ordered_json(*state->motion.phase * 180 / pi) : nullptr},
           {"normal_force_mean", state->mean_normal_force},
           {"normal_force_amplitude", state->normal_force_amplitude},
@@ -77,7 +76,7 @@ std::optional<double> normal_force_max_of(const Case& input, const mdr::Limiting
   return mdr::maximum_indentation(harmonic_motion_of(input.motion));
 }
 
-ordered_json state_json(const std::optional<mdr::LimitingMotion>& state, double /*displacement*/) {
+ordered_json state_json(const std::optional<mdr::LimitingMotion>& state) {
   if (!state) return nullptr;
   return {{"stick_radius", state->stick_radius}, {"indentation", state->motion.indentation}};
 }
@@ -85,8 +84,7 @@ ordered_json state_json(const std::optional<mdr::LimitingMotion>& state, double 
 /// The answer to a prescribed force: the fully worn contact, in which forces and displacements are linear in each
 /// other. state_of(profile, body, criterion): the limiting state by a criterion.
 template <class StateOf>
-MdrDocument answer_by_limiting_state(const IncompressibleCase& equivalent, const StateOf& state_of) {
-  const auto& [input, displacement] = equivalent;
+MdrDocument answer_by_limiting_state(const Case& input, const StateOf& state_of) {
   const auto profile = profile_of(input.indenter);
   const auto body = rheology_of(input.elastomer);
   const auto first_slip = state_of(profile, body, mdr::StickCriterion::first_slip);
@@ -103,8 +101,7 @@ MdrDocument answer_by_limiting_state(const IncompressibleCase& equivalent, const
     answer.normal_force_max = normal_force_max_of(input, *shakedown);
   }
   document.json["mdr"] = to_json(answer);
-  document.json["limiting_state"] = {{"first_slip", state_json(first_slip, displacement)},
-                                     {"shakedown", state_json(shakedown, displacement)}};
+  document.json["limiting_state"] = {{"first_slip", state_json(first_slip)}, {"shakedown", state_json(shakedown)}};
   return document;
 }
 
@@ -112,10 +109,11 @@ MdrDocument answer_forces(const IncompressibleCase& equivalent) {
   const auto& input = equivalent.input;
   const auto control = control_of({harmonic_motion_of(input.motion), input.motion.normal_force.has_value(),
                                    input.motion.tangential_force.has_value()});
-  return answer_by_limiting_state(
-      equivalent, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
-        return mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
-      });
+  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
+    auto state = mdr::limiting_state(profile, body, input.friction_coefficient, control, criterion);
+    if (state) state->motion.tangential_amplitude /= equivalent.displacement;
+    return state;
+  });
 }
 
 /// Whether the limiting state is known in closed form.
@@ -125,14 +123,12 @@ bool has_one_frequency(const Case::Motion& motion) {
 }
 
 /// Prescribed forces with several harmonics or frequencies, whose limiting state has no closed form.
-MdrDocument answer_harmonics_of_forces(const IncompressibleCase& equivalent) {
-  const auto& input = equivalent.input;
+MdrDocument answer_harmonics_of_forces(const Case& input) {
   const auto motion = harmonic_motion_of(input.motion);
   const bool normal = input.motion.normal_force.has_value(), tangential = input.motion.tangential_force.has_value();
-  return answer_by_limiting_state(
-      equivalent, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
-        return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
-      });
+  return answer_by_limiting_state(input, [&](const auto& profile, const auto& body, mdr::StickCriterion criterion) {
+    return mdr::limiting_motion(profile, body, input.friction_coefficient, motion, normal, tangential, criterion);
+  });
 }
 
 MdrDocument answer_comparable(const Case& input) {
@@ -197,18 +193,17 @@ ordered_json wear_json(const Case& input) {
   return to_json(*kinetics);
 }
 
-/// Refuses what MDR knows of a case but the document does not have.
-void require_printable(const Case& input, bool with_springs) {
+void require_body_of_mdr(const Case& input) {
   const auto shape = input.body.shape;
-  const bool layer = shape == Case::Body::Shape::layer;
-  if (!layer && !input.body.is_half_space())
+  if (shape != Case::Body::Shape::layer && !input.body.is_half_space())
     throw InputError(
         fmt::format("{}: Body / Shape = {}: MDR knows half-spaces and layers; leave it out to see what it says of a "
                     "half-space, or run the case",
                     input.file, Case::Body::shape_names[static_cast<std::size_t>(shape)]));
-  if (layer && with_springs)
-    throw InputError(fmt::format(
-        "{}: Body / Shape = layer: MDR's answer is that of springs already; leave --springs out", input.file));
+}
+
+void require_springs(const Case& input) {
+  if (const auto why = why_no_springs(input); !why.empty()) throw InputError(input.file + ": " + why);
 }
 
 MdrDocument answer_to(const Case& input_of_any_body) {
@@ -216,7 +211,7 @@ MdrDocument answer_to(const Case& input_of_any_body) {
   const auto equivalent = incompressible_case(input_of_any_body);
   const auto& input = equivalent.input;
   if (oscillates_under_forces(input))
-    return has_one_frequency(input.motion) ? answer_forces(equivalent) : answer_harmonics_of_forces(equivalent);
+    return has_one_frequency(input.motion) ? answer_forces(equivalent) : answer_harmonics_of_forces(input);
   // The stick radii of a fractional body need no approximation of it.
   const bool is_exact = input.elastomer.fractional_order > 0 && input.wear == Case::Wear::unworn;
   const bool has_forces = input.motion.path || (is_comparable(input) && !is_exact);
@@ -286,7 +281,8 @@ ordered_json fit_json(const Case::Elastomer& elastomer) {
 }
 
 MdrDocument mdr_document(const Case& input, bool with_springs) {
-  require_printable(input, with_springs);
+  require_body_of_mdr(input);
+  if (with_springs) require_springs(input);
   try {
     (void)profile_of(input.indenter);  // refuses one that MDR does not hold for, before anything is asked of it
     auto document = answer_to(input);
@@ -303,14 +299,21 @@ MdrDocument mdr_document(const Case& input, bool with_springs) {
   }
 }
 
+std::string why_no_springs(const Case& input) {
+  if (input.wear == Case::Wear::limiting) return "Wear / State = limiting: springs are stepped for an unworn indenter";
+  if (!input.body.is_half_space())
+    return fmt::format(
+        "Body / Shape = {}: springs are stepped for a half-space; leave --springs and --fields out, or "
+        "run the case with Output / Fields",
+        Case::Body::shape_names[static_cast<std::size_t>(input.body.shape)]);
+  if (input.motion.moves_across())
+    return "Motion: the indenter moves along x and y, of which springs of one direction know nothing; MDR's answer is "
+           "that of springs already, so leave --springs and --fields out";
+  return "";
+}
+
 SpringAnswer spring_answer(const Case& input_of_any_body, const SpringSetting& setting) {
-  if (input_of_any_body.wear == Case::Wear::limiting)
-    throw InputError(input_of_any_body.file + ": Wear / State = limiting: springs are stepped for an unworn indenter");
-  if (input_of_any_body.motion.moves_across())
-    throw InputError(fmt::format(
-        "{}: Motion: the indenter moves along x and y, of which springs of one direction know nothing; MDR's "
-        "answer is that of springs already, so leave --springs and --fields out",
-        input_of_any_body.file));
+  require_springs(input_of_any_body);
   const auto [input, displacement] = incompressible_case(input_of_any_body);
   auto answer = input.motion.path ? springs_along_path(input, setting) : springs_of_oscillation(input, setting);
   if (displacement != 1) turn_into_body_of_case(displacement, answer.history);

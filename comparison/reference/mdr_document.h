@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "comparison/case/case.h"
@@ -42,6 +43,11 @@ struct SpringAnswer {
   mdr::SpringHistory history;
   int steps_per_period;
 };
+/// Why a case has no such history: another body than a half-space, a worn indenter, a motion in two directions. Empty:
+/// it has one.
+std::string why_no_springs(const Case& input);
+
+/// Throws InputError where there is none (why_no_springs).
 SpringAnswer spring_answer(const Case& input, const SpringSetting& setting = {});
 
 /// Fields on the surface of a half-space over r, at the largest and smallest indentation of the periodic state, and in

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "comparison/reference/mdr_case.h"
@@ -42,11 +40,6 @@ void add_worn_columns(const mdr::LimitingProfile& worn, const mdr::PronyBody& bo
 }  // namespace
 
 std::vector<Column> surface_columns(const Case& input, const std::optional<mdr::LimitingProfile>& worn) {
-  if (!input.body.is_half_space())
-    throw InputError(
-        fmt::format("{}: Body / Shape = {}: fields by springs are those of a half-space; leave --fields out, "
-                    "or run the case with Output / Fields",
-                    input.file, Case::Body::shape_names[static_cast<std::size_t>(input.body.shape)]));
   const auto springs = spring_answer(input);
   const auto mdr = mdr_case(input);
   const double a = mdr::inverse_transform(mdr.profile, deepest_indentation(mdr));

@@ -82,9 +82,10 @@ ordered_json springs_json_of_cycle(const SpringAnswer& answer, const mdr::PronyB
 
 std::optional<ordered_json> springs_of(const CaseResult& result) {
   const bool unworn = result.input.wear == Case::Wear::unworn && !result.input.wear_kinetics;
-  if (!result.input.body.is_half_space()) return {};  // springs of another body
   const bool repeats = result.fem_case.has_period();
-  if (!result.is_compared() || !unworn || !repeats || result.input.sweep || result.mdr.as<GrossSlipShare>()) return {};
+  if (!result.is_compared() || !unworn || !repeats || result.input.sweep || result.mdr.as<GrossSlipShare>() ||
+      !why_no_springs(result.input).empty())
+    return {};
   try {
     return springs_json_of_cycle(spring_answer(result.input, {200, 120, 8, 1e-5}), result.mdr_case.body,
                                  result.mdr_case.path.has_value());

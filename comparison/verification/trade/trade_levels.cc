@@ -165,7 +165,7 @@ void leave_out_above(std::vector<Value>& values, Value largest) {
 std::vector<TradeLevel> computed_levels(const PreparedCase& prepared, const TradePlan& plan) {
   const auto exact = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
   const auto reference = in_units_of(prepared.fem, compared_readings_of(exact));
-  const bool has_springs = !prepared.mdr.limiting && prepared.input.motion.phase;
+  const bool has_springs = prepared.input.motion.phase && why_no_springs(prepared.input).empty();
   Progress progress(plan.settings.size() + plan.full.size() + (has_springs ? spring_settings.size() : 0) + 1,
                     expected_seconds(prepared, plan));
   // The first body of a process also pays for what its libraries load and allocate once and for all.

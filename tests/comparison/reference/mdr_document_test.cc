@@ -131,6 +131,18 @@ TEST(MdrDocument, SpringsOfACompressibleBodyHaveItsWorks) {
               1, 1e-2);
 }
 
+// Tables of `fretval trade` had those of a half-space, half of the force off.
+TEST(MdrDocument, HasNoSpringsForALayer) {
+  auto input = read_case(elastic_case());
+  EXPECT_EQ(why_no_springs(input), "");
+  input.body.shape = Case::Body::Shape::layer;
+  input.body.thickness = 3e-3;
+  EXPECT_NE(why_no_springs(input), "");
+  EXPECT_NO_THROW(mdr_document(input, false));
+  EXPECT_THROW(mdr_document(input, true), InputError);
+  EXPECT_THROW(spring_answer(input), InputError);
+}
+
 TEST(MdrDocument, HasNoSpringsOfOneDirectionForAMotionInTwo) {
   const auto around =
       replace(valid_case, "set Tangential amplitude = 1.5e-5",
