@@ -12,7 +12,7 @@ namespace {
 
 mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Prescribed& prescribed, int times) {
   return mdr::coupled_response(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient, prescribed,
-                               finer(mdr::SpringFineness{100, 90, 4, 1e-7}, times));
+                               fineness_of(mdr, mdr::SpringFineness{100, 90, 4, 1e-7}, times));
 }
 
 }  // namespace

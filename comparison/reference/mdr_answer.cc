@@ -50,18 +50,16 @@ MdrAnswer as_known_as_asked(const MdrCase& mdr, const std::function<MdrAnswer(in
   return refined_until_known([&](const MdrAnswer& answer) { return is_known(mdr, answer); }, answer_with);
 }
 
-mdr::PathFineness finer(mdr::PathFineness fineness, int times) {
-  fineness.n_springs *= times;
-  fineness.subdivisions *= times;
-  return fineness;
+/// Springs of a motion without period go through 192 oscillations, and half and twice as many, in the place of one. As
+/// these leave nearly all of their error, finer springs go through more of them.
+mdr::SpringFineness of_many_oscillations(int times) {
+  return {100, 90, 10, 1e-7, 192 * times};
 }
 
-/// Springs of a motion without period go through 192 oscillations, and half and twice as many, in the place of one.
-constexpr mdr::SpringFineness of_many_oscillations{100, 90, 10, 1e-7, 192};
-
 mdr::SteppedForcedResponse half_space_response(const MdrCase& mdr, int times) {
-  return mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
-                              finer(mdr.has_period() ? mdr::SpringFineness{} : of_many_oscillations, times));
+  return mdr::forced_response(
+      mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+      mdr.has_period() ? fineness_of(mdr, mdr::SpringFineness{}, times) : of_many_oscillations(times));
 }
 
 /// The answer to an unworn indenter, by springs. Under both forces a half-space has a closed shakedown radius.
@@ -149,7 +147,7 @@ void answer_displaced_path(const MdrCase& mdr, MdrAnswer& answer) {
 void answer_forced_path(const MdrCase& mdr, int times, MdrAnswer& answer) {
   std::optional<mdr::SteppedPathForces> stepped;
   try {
-    const auto fineness = finer(mdr::PathFineness{}, times);
+    const auto fineness = fineness_of(mdr, mdr::PathFineness{}, times);
     stepped = mdr.layer ? layer_path_forces(mdr, mdr.friction_coefficient, *mdr.path, fineness)
                         : mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness);
   } catch (const mdr::GrossSlip& slip) {
@@ -182,7 +180,7 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
         return knows_normal_force(mdr, stepped.forces.normal_force_max, stepped.error.normal_force_max);
       },
       [&](int times) {
-        const auto fineness = finer(mdr::PathFineness{}, times);
+        const auto fineness = fineness_of(mdr, mdr::PathFineness{}, times);
         return mdr.layer ? layer_path_forces(mdr, 1, path, fineness)
                          : mdr::path_forces(mdr.profile, mdr.body, 1, path, fineness);
       });
@@ -213,7 +211,9 @@ mdr::NormalResponse mdr_normal_response(const MdrCase& mdr) {
   if (mdr.path) return normal_response_along(mdr);
   if (mdr.layer) return layer_normal_response(mdr);
   if (mdr.normal_force && !mdr.limiting)
-    return mdr::forced_response(mdr.profile, mdr.body, 1, mdr.prescribed_normally()).response.normal;
+    return mdr::forced_response(mdr.profile, mdr.body, 1, mdr.prescribed_normally(),
+                                fineness_of(mdr, mdr::SpringFineness{}, 1))
+        .response.normal;
   const auto motion = displacements_of(mdr);
   const auto response = [&](const std::function<double(double)>& g, double outer) {
     const auto& [indentation, normal, tangential, locked] = motion;
@@ -285,14 +285,14 @@ std::optional<CycleReadings> displaced_cycle(const MdrCase& mdr, const mdr::Norm
     constexpr mdr::PathFineness usual{100, 90, 10, 1e-7};
     if (!has_cycle_along(mdr)) return std::nullopt;
     const auto stepped =
-        mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, finer(usual, times));
+        mdr::path_forces(mdr.profile, mdr.body, mdr.friction_coefficient, *mdr.path, fineness_of(mdr, usual, times));
     return cycle_along(mdr, stepped, normal.normal_force_max);
   }
   constexpr mdr::SpringFineness usual{100, 90, 5, 1e-5};
   if (!cycle_to_step(mdr)) return std::nullopt;
   try {
-    const auto stepped =
-        mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(), finer(usual, times));
+    const auto stepped = mdr::forced_response(mdr.profile, mdr.body, mdr.friction_coefficient, mdr.prescribed(),
+                                              fineness_of(mdr, usual, times));
     return cycle_of_springs(mdr, stepped, normal.normal_force_max);
   } catch (const std::runtime_error&) {
     return std::nullopt;  // not periodic

@@ -46,6 +46,9 @@ struct MdrCase {
   /// refined to a quarter of them (is_known_to).
   double tolerance = 0;
   std::optional<double> cycle_tolerance = {};
+  /// Springs, and steps of an oscillation, are so many times fewer than usual, for the line of a plot: what they err by
+  /// goes with the square of it.
+  int coarser_springs = 1;
 
   [[nodiscard]] bool is_single_pass() const { return is_pass(motion_kind); }
   /// Not under an unlocked phase or of frequencies without a common period.

@@ -104,11 +104,11 @@ bool moves_in_plane(const MdrCase& mdr) {
 }
 
 MdrAnswer plane_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, int times) {
-  constexpr int n_springs = 100, n_steps = 360;
+  const int n_springs = 100 * times / mdr.coarser_springs, n_steps = 360 * times / mdr.coarser_springs;
   auto answer = with_normal_response(normal);
-  const auto motion = steps_of(mdr, normal, 2 * times * n_steps), coarse = steps_of(mdr, normal, times * n_steps);
+  const auto motion = steps_of(mdr, normal, 2 * n_steps), coarse = steps_of(mdr, normal, n_steps);
   const auto response = [&](const mdr::PlaneMotion& steps, int finer) {
-    return mdr::plane_response(mdr.profile, mdr.body, mdr.friction_coefficient, steps, finer * times * n_springs);
+    return mdr::plane_response(mdr.profile, mdr.body, mdr.friction_coefficient, steps, finer * n_springs);
   };
   try {
     const auto fine = response(motion, 2), rough = response(coarse, 1);

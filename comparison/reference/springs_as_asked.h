@@ -2,6 +2,7 @@
 
 #include "comparison/quantities/quantity.h"
 #include "comparison/reference/mdr_case.h"
+#include "mdr/springs/path_data.h"
 
 namespace fretval {
 
@@ -13,6 +14,10 @@ auto refined_until_known(const IsKnown& is_known, const With& with) {
   for (int times = 1;; times *= 2)
     if (auto answer = with(times); times == most_times || is_known(answer)) return answer;
 }
+
+/// Springs and steps of a case: `times` the usual numbers, or so many times fewer as it asks for (coarser_springs).
+mdr::SpringFineness fineness_of(const MdrCase& mdr, mdr::SpringFineness usual, int times);
+mdr::PathFineness fineness_of(const MdrCase& mdr, mdr::PathFineness usual, int times);
 
 /// Whether a value by springs errs by no more than a quarter of a tolerance of the case; value, error: SI units.
 bool is_known_to(double tolerance, Quantity quantity, double value, double error, const Scales& scales);

@@ -48,6 +48,8 @@ nlohmann::ordered_json closed_answer(const Case& input) {
 nlohmann::ordered_json stepped_answer(const Case& input, NormalResponses& normal_responses) {
   auto mdr = mdr_case(input);
   mdr.tolerance = 0;  // nothing is compared between the points
+  // Those of a layer are few already: with half of them the mean force is 4 % of its largest value off.
+  if (!has_closed_forms(input) && !mdr.layer) mdr.coarser_springs = 2;
   return to_json(mdr_answer_with_cycle(mdr, *normal_responses.of(input, mdr)));
 }
 

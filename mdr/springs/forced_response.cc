@@ -124,12 +124,6 @@ Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeatin
   return loading;
 }
 
-SpringFineness finer(SpringFineness fineness, int times) {
-  fineness.n_springs *= times;
-  fineness.steps_per_oscillation *= times;
-  return fineness;
-}
-
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, const Prescribed& prescribed,

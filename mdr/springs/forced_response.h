@@ -52,9 +52,6 @@ struct SpringFineness {
   int n_oscillations = 48;    ///< in a period of a RepeatingMotion that stands for another motion
 };
 
-/// The fineness with `times` as many springs and steps.
-SpringFineness finer(SpringFineness fineness, int times);
-
 /// Response of the transient springs (mdr/springs/spring_history.h), stepped until they repeat. It is extrapolated from
 /// n and 2 n springs, steps, cycles of the ramp and oscillations of a RepeatingMotion, each of second order. error: its
 /// distance from the extrapolation of n/2 and n, or from the values of 2 n, whichever is more, which covers orders from
