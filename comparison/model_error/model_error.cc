@@ -186,7 +186,7 @@ ModelErrors model_errors_of(const Case& input, const MdrAnswer& mdr) {
     if (input.elastomer.has_memory()) spread = std::max(spread, known_spread(quantity, {false, true}));
     spread *= std::abs(change->value);
     const double truth = 1 + change->value;
-    errors.off_by[quantity] = {1 / truth - 1, (change->uncertainty + spread) / truth};
+    errors.off_by[quantity] = {1 / truth - 1, (change->uncertainty + spread) / (truth * truth)};
   }
   if (!errors.good_to())
     errors.outside = "no stick radius lies between those of the maps, 0.2 to 0.95 of the contact radius";

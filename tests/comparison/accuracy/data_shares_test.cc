@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <tuple>
 
 #include "comparison/accuracy/verdict.h"
 #include "comparison/data/path_table.h"
@@ -84,6 +85,45 @@ TEST(DataShares, OfARecordAreWhatWasLeftOutOfIt) {
   EXPECT_NEAR(open.at(Quantity::contact_radius_max), 0.005, 2e-4);
   const auto twice = pass_with_error(2.4e-6);
   EXPECT_NEAR(data_uncertainties(twice, mdr_case(twice)).at(Quantity::contact_radius_max), 0.01, 3e-4);
+}
+
+// Off by the same everywhere, or apart at the extremes: what rests at its largest value does so in either of them.
+TEST(DataVariants, OfARecordAreShiftedAndStretched) {
+  auto input = pass_with_error(0);
+  input.motion.path->reduction = Case::PathReduction{300'000, 0, 2e-6, 1e-6, 12, 3e-6, 5e-7};
+  const auto variants = data_variants(input);
+  ASSERT_EQ(variants.size(), 2U);
+  for (const auto& [variant, normal, tangential] : {std::tuple{variants[0], 2e-6, 1e-6}, {variants[1], 3e-6, 5e-7}}) {
+    ASSERT_EQ(variant.cases.size(), 2U) << variant.what;
+    const auto &shifted = *variant.cases[0].motion.path, &stretched = *variant.cases[1].motion.path;
+    EXPECT_NEAR(shifted.normal[0], 1e-4 + normal, 1e-15);
+    EXPECT_NEAR(shifted.normal[2], 1.2e-4 + normal, 1e-15);
+    EXPECT_NEAR(stretched.normal[0], 1e-4 - normal, 1e-15);
+    EXPECT_NEAR(stretched.normal[2], 1.2e-4 + normal, 1e-15);
+    for (const auto* path : {&shifted, &stretched}) {
+      EXPECT_NEAR(path->tangential[0], -tangential, 1e-15);
+      EXPECT_NEAR(path->tangential[2], 1e-5 + tangential, 1e-15);
+    }
+  }
+}
+
+// Without this the start of a record that comes close to lifting off would be at rest without contact.
+TEST(DataVariants, OfARecordStayInContactAsItDoes) {
+  auto input = pass_with_error(2e-6);
+  auto path = *input.motion.path;
+  path.normal = {1e-6, 1.2e-4, 1.2e-4};
+  input.motion = motion_along(path);
+  EXPECT_EQ(data_variants(input)[0].cases[1].motion.path->normal[0], 1e-6);
+}
+
+// At one depth a shift alone changes the radius: sqrt(1.01) - 1 by what was left out, sqrt(1.02) - 1 by the scatter.
+TEST(DataShares, OfARecordAreTheFarthestOfAVariantAndAddUpOverThem) {
+  auto input = pass_with_error(0);
+  auto path = *input.motion.path;
+  path.normal = {1.2e-4, 1.2e-4, 1.2e-4};
+  path.reduction = Case::PathReduction{300'000, 0, 1.2e-6, 0, 12, 2.4e-6, 0};
+  input.motion = motion_along(path);
+  EXPECT_NEAR(data_uncertainties(input, mdr_case(input)).at(Quantity::contact_radius_max), 0.015, 3e-4);
 }
 
 // The round trip: cosines, recorded for 12 cycles with noise after an approach, have their radii within what the record

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+
 #include "comparison/simulation/compute_case.h"
 #include "tests/comparison/given_mesh.h"
 
@@ -9,13 +12,15 @@ namespace fretval {
 namespace {
 
 /// The case of a tolerance whose answer has a bar for the stick radius.
-std::optional<GivenRings> rings_with(const ErrorBar& bar, bool given = true) {
+std::optional<GivenRings> rings_with(
+    const ErrorBar& bar, bool given = true, const std::function<void(ProvedAnswer&)>& change = [](ProvedAnswer&) {}) {
   ScratchFolder folder;
   auto input = case_with_mesh(folder, pad_mesh(24));
   if (!given) input.body = {};
   ProvedAnswer answer{};
   answer.fe.rings.contact = 20;
   answer.budget[Quantity::stick_radius_shakedown] = bar;
+  change(answer);
   return given_rings_of(prepare({input}).front(), answer);
 }
 
@@ -33,6 +38,27 @@ TEST(RingsNeeded, FollowFromTheOrder) {
   EXPECT_NEAR(rings_with({{{ErrorSource::grading, 2e-2, {}}}})->needed.value(), 40, 2);
   // Where something else leaves nothing, half of the tolerance is what the mesh may take.
   EXPECT_NEAR(rings_with({{{ErrorSource::rings, 2e-2, {}}, {ErrorSource::time_step, 0.1, {}}}})->needed.value(), 40, 2);
+}
+
+// Rings and the edge that is read from them are eight times too wide together, of second order.
+TEST(RingsNeeded, FollowFromAllThatTheMeshLeavesOpen) {
+  const ErrorBar both{{{ErrorSource::rings, 6e-2, {}}, {ErrorSource::edge, 2e-2, {}}}};
+  EXPECT_NEAR(rings_with(both)->needed.value(), 20 * std::sqrt(8), 3);
+}
+
+TEST(RingsNeeded, AreThoseOfTheWidestBar) {
+  const ErrorBar wide{{{ErrorSource::rings, 0.16, {}}}}, narrow{{{ErrorSource::rings, 2e-2, {}}}};
+  const auto needed = [](const ErrorBar& of_slip, const ErrorBar& of_shakedown) {
+    const auto rings = rings_with(
+        of_shakedown, true, [&](ProvedAnswer& answer) { answer.budget[Quantity::stick_radius_first_slip] = of_slip; });
+    return rings->needed.value();
+  };
+  EXPECT_NEAR(needed(wide, narrow), 80, 4);
+  EXPECT_EQ(needed(narrow, wide), needed(wide, narrow));
+}
+
+TEST(RingsNeeded, AreNotSaidWhereAllOfTheContactSlides) {
+  EXPECT_FALSE(rings_with({}, true, [](ProvedAnswer& answer) { answer.fe.of_kind = GrossSlipStart{}; }));
 }
 
 // On the same rings a layer that is given as a mesh is the layer: its contact and its force, each to its bar.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "comparison/accuracy/proof.h"
 #include "comparison/reference/mdr_answer.h"
@@ -15,6 +16,62 @@ namespace {
 
 ProvedAnswer with_bars(const PreparedCase& prepared) {
   return prove(prepared, Proof::bars, shared_bodies());
+}
+
+/// Zones that are a hundredth too large at the coarsest rings, of third order; lengths in units of the case.
+ZoneBudget budget_of_known_zones(double pressure) {
+  auto prepared = prepare({suite_case("parabola-elastic-90", 1e-2)}).front();
+  prepared.fem.kind = ContactKind::annuli;
+  const auto& fem = prepared.fem;
+  const double length = fem.units.length;
+  const auto answer_at = [&](const Resolution& r) {
+    const double larger = 1 + 0.01 * std::pow(24.0 / r.elements_per_radius, 3);
+    BodySummary body{};
+    body.radii = {0, 0.25, 0.5, 0.75, 1};
+    FeAnswer fe;
+    fe.body = std::make_shared<const BodySummary>(body);
+    fe.normal_force_max = fem.units.force();
+    fe.of_kind = ZoneAnswer{{{0, larger * length}},
+                            {{0, 0.2 * larger * length}, {0.3 * larger * length, 0.4 * larger * length}},
+                            {{0, 0.6 * larger * length}},
+                            0.02 * length,
+                            pressure * larger};
+    return fe;
+  };
+  const auto needs = needs_of(fem);
+  Computations computed(fem.units, answer_at, 1);
+  std::vector<Resolution> all{fem.resolution};
+  for (const auto& variant : variants_of(fem.resolution, needs)) {
+    all.push_back(variant.reference);
+    all.push_back(variant.resolution);
+  }
+  computed.compute(all);
+  return zone_budget(fem.resolution, computed, needs);
+}
+
+double edge_share(const std::optional<ErrorBar>& bar) {
+  for (const auto& share : bar.value().shares)
+    if (share.source == ErrorSource::edge) return share.estimate;
+  return 0;
+}
+
+// Of the contact what it is uncertain by, of zones that stick half of a ring: four rings to 1 contact radius.
+TEST(ZoneBars, HaveTheRingsAndTheReadingOfTheirEndsOverTheContactRadius) {
+  const auto bars = budget_of_known_zones(1);
+  ASSERT_EQ(bars.contact.size(), 1U);
+  ASSERT_EQ(bars.first_slip.size(), 2U);
+  ASSERT_EQ(bars.shakedown.size(), 1U);
+  EXPECT_NEAR(edge_share(bars.contact[0].outer), 0.02, 1e-12);
+  EXPECT_NEAR(edge_share(bars.first_slip[1].inner), 0.125, 1e-12);
+  EXPECT_NEAR(edge_share(bars.shakedown[0].outer), 0.125, 1e-12);
+  EXPECT_GT(bars.contact[0].outer->total(), 0.021);
+}
+
+// The bar of the pressure is relative.
+TEST(ZoneBars, OfThePressureDoNotKnowItsUnit) {
+  const double bar = budget_of_known_zones(1).pressure_max.total();
+  EXPECT_GT(bar, 1e-3);
+  EXPECT_NEAR(budget_of_known_zones(1e6).pressure_max.total(), bar, 1e-9);
 }
 
 // A whole indenter, read as if its rings touched in any order: MDR is exact, and within the bars.

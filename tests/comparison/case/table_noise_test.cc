@@ -69,6 +69,21 @@ TEST(NoisyStart, IsSaidOfARowThatTheOthersDoNotLeadTo) {
   EXPECT_EQ(noisy_start(path_with(0, 3e-6), 1e-3).size(), 1U) << "all rows scatter, and so does the first";
 }
 
+// Off by 1e-7 m of a range of 4e-5 m: more than a thousandth of it, less than a hundredth.
+TEST(NoisyStart, IsMeasuredByTheToleranceOfTheRange) {
+  EXPECT_EQ(noisy_start(path_with(1e-7, 0), 1e-3).size(), 1U);
+  EXPECT_EQ(noisy_start(path_with(1e-7, 0), 0).size(), 1U) << "a thousandth where no tolerance is set";
+  EXPECT_TRUE(noisy_start(path_with(1e-7, 0), 1e-2).empty());
+}
+
+TEST(NoisyStart, IsNothingOfAForceOrOfAPassFromTheTouch) {
+  auto by_force = path_with(5e-6, 0), from_touch = by_force;
+  by_force.normal_force = true;
+  from_touch.from_touch = true;
+  EXPECT_TRUE(noisy_start(by_force, 1e-3).empty());
+  EXPECT_TRUE(noisy_start(from_touch, 1e-3).empty());
+}
+
 TEST(NoisyStart, IsNothingOfASmoothPathOrOneThatRepeatsOrHasFewRows) {
   EXPECT_TRUE(noisy_start(path_with(0, 0), 1e-3).empty());
   EXPECT_TRUE(noisy_start(path_with(0, 1e-9), 1e-3).empty());

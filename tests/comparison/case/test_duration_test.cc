@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "comparison/data/path_table.h"
 #include "mdr/rheology/prony_body.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
@@ -77,6 +78,41 @@ TEST(TestDuration, IsAskedForWhereBranchesAreSlow) {
   auto input = wide_case();
   limit_to_test(3600, input);
   EXPECT_TRUE(times_slower_than(many_cycles, input).empty());
+}
+
+// Ten thousand cycles of 1 Hz are 1e4 s; of 0.01 Hz, 1e6 s.
+TEST(TestDuration, CountsTheCyclesOfTheSlowestOscillation) {
+  auto input = wide_case();
+  input.motion.tangential_frequency = 100;
+  EXPECT_EQ(times_slower_than(1e4, input).size(), 9U);
+  for (auto* harmonics : {&input.motion.normal_harmonics, &input.motion.tangential_harmonics}) {
+    harmonics->push_back({1e-6, 0.01, 0});
+    EXPECT_EQ(times_slower_than(1e4, input).size(), 5U) << "slower than 1e6 s: 3e6 s to 3e8 s";
+    harmonics->clear();
+  }
+}
+
+TEST(TestDuration, IsNotAskedForOfAPassUnderForces) {
+  auto input = wide_case();
+  Case::Path path{{{0, 0.5, 1}, {1, 1.1, 1}, {0, 0.1, 0}, true}, "rows.csv"};
+  path.normal_force = true;
+  input.motion = motion_along(path);
+  expect_parts(too_slow_for_forces(input), {"set Elastomer / Duration of the test"});
+  input.motion.path->repeats = false;
+  EXPECT_EQ(too_slow_for_forces(input), "");
+}
+
+// A single pass of 1 s ends somewhere: what is slower by a hundred still tells.
+TEST(TestDuration, KeepsWhatASinglePassShows) {
+  auto input = wide_case();
+  input.motion = motion_along({{{0, 0.5, 1}, {1e-4, 1.1e-4, 1e-4}, {0, 1e-5, 0}, false}, "rows.csv"});
+  limit_to_test(3600, input);
+  const auto& body = input.elastomer;
+  const auto all = wide_case().elastomer;
+  const auto modulus_of = [](const Case::Elastomer& one) {
+    return mdr::complex_modulus(mdr::prony(one.relaxed_modulus, one.branch_moduli, one.branch_times), 2 * M_PI * 0.01);
+  };
+  EXPECT_LT(std::abs(modulus_of(body) / modulus_of(all) - 1.0), 1.01 * body.test_duration->merging_error + 1e-6);
 }
 
 TEST(TestDuration, IsAnEntryWithAUnit) {

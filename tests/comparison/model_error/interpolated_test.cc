@@ -41,6 +41,20 @@ TEST(Interpolated, HasTheBarsOfItsNodes) {
   EXPECT_GE(interpolated(nodes, 0.4)->uncertainty, 0.1);
 }
 
+// x² through three nodes is exact, and a line through the ends off by 3/16; x³ through four of them, by 3/8 halfway.
+TEST(Interpolated, IsUncertainByAThirdOfWhatEveryOtherNodeAndTheLastOneGive) {
+  EXPECT_NEAR(interpolated(nodes_of([](double x) { return x * x; }, 3), 0.25)->uncertainty, 0.1875 / 3, 1e-15);
+  EXPECT_NEAR(interpolated(nodes_of([](double x) { return x * x * x; }, 4), 0.5)->uncertainty, 0.375 / 3, 1e-15);
+}
+
+// Amplitudes are set, and tables are printed, to some 3e-3.
+TEST(Interpolated, TakesAPlaceForTheNodeThatItIsAt) {
+  const auto nodes = nodes_of([](double x) { return x * x; }, 3, 0.1);
+  EXPECT_NEAR(interpolated(nodes, 0.502)->uncertainty, 0.1, 1e-3);
+  EXPECT_TRUE(interpolated(nodes, -2e-3));
+  EXPECT_TRUE(interpolated(nodes, 1 + 2e-3));
+}
+
 TEST(Interpolated, IsNothingOutside) {
   const auto nodes = nodes_of([](double x) { return x; }, 5);
   EXPECT_FALSE(interpolated(nodes, -0.01));

@@ -27,6 +27,34 @@ TEST(LevelLines, AreWhereTheMapHasTheirLevel) {
   EXPECT_TRUE(lines[2].x.empty());
 }
 
+// Where MDR has the radius too small: 1/(1 + 0.1 (1 - c/a)) = 0.98.
+TEST(LevelLines, AreOfBothSigns) {
+  auto points = made_up_map();
+  for (auto& point : points) point.changes.begin()->second.value *= -1;
+  const auto line = map_lines(points, MapKind::phase, Quantity::stick_radius_shakedown, {0.02}).levels.front();
+  ASSERT_FALSE(line.x.empty());
+  for (const double x : line.x) EXPECT_TRUE(std::isnan(x) || std::abs(x - (1 - 0.2 / 0.98)) < 2e-4) << x;
+}
+
+// A mirror turns a motion by 180 degrees.
+TEST(Hatching, OfAPhaseOfZeroIsThatOf180Too) {
+  auto points = made_up_map();
+  constexpr auto radius = Quantity::stick_radius_shakedown;
+  for (auto& point : points)
+    if (point.map == name_of(MapKind::phase) && point.own.phase == 0)
+      point.changes.at(radius).bar = std::abs(point.changes.at(radius).value);
+  const auto lines = map_lines(points, MapKind::phase, radius, {}).hatching;
+  double least = 180, most = 0;
+  for (const double y : lines.y) {
+    if (std::isnan(y)) continue;
+    least = std::min(least, y);
+    most = std::max(most, y);
+    EXPECT_TRUE(y < 60 || y > 120) << y;
+  }
+  EXPECT_EQ(least, 0);
+  EXPECT_EQ(most, 180);
+}
+
 // The points of the made-up map are known exactly; with one bar that is wide the map is hatched around that point
 // alone.
 TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
@@ -51,6 +79,8 @@ TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
   wide.changes.at(radius).bar = 0.15 * std::abs(wide.changes.at(radius).value);
   EXPECT_FALSE(map_lines(points, MapKind::phase, radius, {of_line / 10}).hatching.x.empty());
   EXPECT_TRUE(map_lines(points, MapKind::phase, radius, {of_line}).hatching.x.empty());
+  EXPECT_FALSE(map_lines(points, MapKind::phase, radius, {of_line, of_line / 10}).hatching.x.empty())
+      << "the lowest line decides";
 }
 
 }  // namespace

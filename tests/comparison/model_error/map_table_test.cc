@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "tests/comparison/model_error/made_up_map.h"
 
@@ -24,6 +25,27 @@ TEST(MapTable, ComesBackFromItsText) {
     EXPECT_NEAR(again[i].changes.begin()->second.bar, 1e-3, 1e-9);
   }
   EXPECT_EQ(csv_of(again), csv_of(points));
+}
+
+// Of MDR over the body and of MDR over a half-space.
+TEST(MapTable, KeepsTheCoordinatesOfBothModels) {
+  MapPoint point{"layer", {}, "cone", 0.25, true, false, {}};
+  point.at.first_slip = 0.125;
+  point.at.shakedown = 0.375;
+  point.at.poisson_ratio = 0.4375;
+  point.at.radius_over_thickness = 0.75;
+  point.own = point.at;
+  point.own.first_slip = 0.25;
+  point.own.shakedown = 0.625;
+  point.own.radius_over_thickness = 0.875;
+  const auto again = points_of_csv(csv_of({point})).at(0);
+  for (const auto& [one, same] : {std::pair{again.at, point.at}, {again.own, point.own}}) {
+    EXPECT_EQ(one.first_slip, same.first_slip);
+    EXPECT_EQ(one.shakedown, same.shakedown);
+    EXPECT_EQ(one.poisson_ratio, same.poisson_ratio);
+    EXPECT_EQ(one.radius_over_thickness, same.radius_over_thickness);
+  }
+  EXPECT_FALSE(again.memory);
 }
 
 TEST(MapPoint, IsOfTheSameSceneWhateverIsKnownOfIt) {

@@ -73,6 +73,14 @@ TEST(LayerAnswer, UnderAForceIndentsAsFarAsTheLayerLets) {
   }
 }
 
+TEST(LayerAnswer, HasAnErrorOfTheForceWhereItIsNotPrescribed) {
+  auto scene = on_layer(suite_case("parabola-elastic-90", 1e-2), 2e-3);
+  EXPECT_GT(layer_normal_response(mdr_case(scene)).normal_force_error, 0);
+  scene.motion.normal_force = {1, 0.1};
+  EXPECT_EQ(layer_normal_response(mdr_case(scene)).normal_force_error, 0);
+  EXPECT_FALSE(layer_worn_radius(mdr_case(scene), 5e-4, 1e-4)) << "its limiting state has another indentation";
+}
+
 // Under displacements: D(c) = d - A beta for a steady depth, D and beta of the half-space.
 TEST(LayerAnswer, OfWearOnAThickLayerEndsInTheStateOfTheHalfSpace) {
   auto scene = on_layer(suite_case("parabola-elastic-steady", 1e-2), 10);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <string>
 
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/stored_result.h"
@@ -74,6 +76,51 @@ TEST(ResultsFolder, IsReadByFamilyAndSweepValueFromAllFoldersBelow) {
   EXPECT_TRUE(results[0].swept_over("Motion / Phase"));
   EXPECT_FALSE(results[0].swept_over("Wear / Stick radius ratio"));
   expect_parts(refusal([&] { read_results(folder.path() / "nowhere"); }), {"nowhere", "no such folder"});
+}
+
+TEST(ResultsFolder, IsReadByTheSecondValueOfASweepWithinTheFirst) {
+  const ScratchFolder folder;
+  for (const int k : {4, 0, 3, 1, 5, 2}) {
+    auto json = stored_result();
+    json["scene"]["sweep"] = {{"family", "f"},
+                              {"entry", "Motion / Phase"},
+                              {"value", k / 3},
+                              {"second_entry", "Friction / Coefficient"},
+                              {"second_value", 1 + k % 3}};
+    const auto name = std::to_string((7 * k + 3) % 6);
+    std::filesystem::create_directories(folder.path() / name);
+    folder.write(name + "/result.json", json.dump());
+  }
+  const auto results = read_results(folder.path());
+  ASSERT_EQ(results.size(), 6U);
+  for (int k = 0; k < 6; ++k) {
+    EXPECT_EQ(results[static_cast<std::size_t>(k)].sweep_value(), k / 3);
+    EXPECT_EQ(results[static_cast<std::size_t>(k)].second_value(), 1 + k % 3);
+  }
+}
+
+StoredResult with_scene(const nlohmann::ordered_json& more = nlohmann::ordered_json::object()) {
+  auto json = stored_result();
+  json["scene"].update(more);
+  return {json, {}};
+}
+
+TEST(StoredResult, KnowsWhatKindOfMotionItIsOf) {
+  EXPECT_TRUE(with_scene({{"frequency", 2}, {"tangential_frequency", 2}}).has_one_frequency());
+  EXPECT_FALSE(with_scene({{"frequency", 2}, {"tangential_frequency", 3}}).has_one_frequency());
+  for (const char* key : {"normal_harmonics", "tangential_harmonics"})
+    EXPECT_FALSE(with_scene({{key, nlohmann::ordered_json::array()}}).has_one_frequency()) << key;
+  EXPECT_FALSE(with_scene().has_forces());
+  for (const char* key : {"normal_force_mean", "tangential_force_amplitude"})
+    EXPECT_TRUE(with_scene({{key, 1}}).has_forces()) << key;
+}
+
+TEST(StoredResult, NamesItsCycle) {
+  auto older = with_scene();
+  older.json["scene"].erase("has_period");
+  EXPECT_STREQ(older.cycle_name(), "period");
+  EXPECT_STREQ(with_scene({{"has_period", false}}).cycle_name(), "near cycle");
+  EXPECT_STREQ(with_scene({{"path", {{"repeats", "once"}}}}).cycle_name(), "pass");
 }
 
 // Nothing that is absent may look like a zero.

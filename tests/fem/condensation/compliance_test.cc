@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
@@ -87,6 +88,12 @@ TEST(Compliance, HardlyDependsOnTheFarRadius) {
     EXPECT_NEAR(displacement[0] / displacement[2], 1, 1e-3);
     EXPECT_NEAR(displacement[1] / displacement[2], 1, 1e-5);
   }
+}
+
+TEST(Compliance, CountsTheRingsWhoseMiddlesLieWithinARadius) {
+  const Compliance rings{{0, 1, 2, 4}, Eigen::Vector3d(1, 3, 12), SharedMatrix(Eigen::MatrixXd::Identity(3, 3))};
+  for (const auto& [radius, n] : {std::pair{0.4, 0}, {0.6, 1}, {2.9, 2}, {3.1, 3}, {100.0, 3}})
+    EXPECT_EQ(rings_within(rings, radius), n) << radius;
 }
 
 TEST(Compliance, NeedsABodyThatIsHeld) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "fem/support/constants.h"
+
 namespace fretval::fem::angular_grid_test {
 namespace {
 
@@ -71,6 +73,21 @@ TEST(AngularGrid, LeavesOutWhatMirrorsMakeTheSame) {
       if (mirrors == Mirrors::x_and_y) {
         EXPECT_EQ(amplitude.order.n % 2, 1U);
       }
+    }
+  }
+}
+
+// A mirror keeps t_x and turns t_y around: (cos 2 theta, sin 2 theta) is the same in both of them.
+TEST(AngularGrid, HasTheWholeCircleFromTheKeptAngles) {
+  for (const auto mirrors : {Mirrors::none, Mirrors::x, Mirrors::x_and_y}) {
+    const auto grid = angular_grid(12, mirrors);
+    const auto circle = whole_circle(grid);
+    ASSERT_EQ(circle.size(), 12U);
+    for (std::size_t j = 0; j < circle.size(); ++j) {
+      const auto& [angle, kept, sign_of_y] = circle[j];
+      EXPECT_NEAR(angle, (static_cast<double>(j) + 0.5) * pi / 6, 1e-14);
+      EXPECT_NEAR(std::cos(2 * grid.angles[kept]), std::cos(2 * angle), 1e-14) << j;
+      EXPECT_NEAR(sign_of_y * std::sin(2 * grid.angles[kept]), std::sin(2 * angle), 1e-14) << j;
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "fem/condensation/condensation.h"
 #include "fem/operators/stiffness.h"
+#include "fem/support/constants.h"
 #include "tests/fem/full_contact/bodies.h"
 
 namespace fretval::fem::surface_compliance_test {
@@ -59,6 +60,24 @@ TEST(SurfaceCompliance, MakesABondedPunchAsStiffAsItIs) {
   }
   EXPECT_NEAR(errors[1], errors[0] / 2, 0.1 * std::abs(errors[0]));
   EXPECT_NEAR(2 * errors[1] - errors[0], 0, 1e-3);  // extrapolated
+}
+
+// A disc that turns on a half-space: the torque is 16/3 G a^3 per angle (Reissner and Sagoci 1944). The traction is
+// singular at the edge, where rings are of first order.
+TEST(SurfaceCompliance, MakesATurningDiscAsStiffAsItIs) {
+  std::vector<double> errors;
+  for (const unsigned n_per_radius : {8U, 16U}) {
+    const auto& surface = surface_half_space(0.5, n_per_radius);
+    const Eigen::Index n = n_per_radius;
+    Eigen::VectorXd moved(n);  // integral of r over each ring
+    for (std::size_t i = 0; i < n_per_radius; ++i)
+      moved[static_cast<Eigen::Index>(i)] =
+          2 * pi / 3 * (std::pow(surface.radii[i + 1], 3) - std::pow(surface.radii[i], 3));
+    const Eigen::MatrixXd block = surface.torsion->topLeftCorner(n, n);
+    errors.push_back(moved.dot(block.llt().solve(moved)) / (16.0 / 3) - 1);
+  }
+  EXPECT_NEAR(errors[1], errors[0] / 2, 0.1 * std::abs(errors[0]));
+  EXPECT_NEAR(2 * errors[1] - errors[0], 0, 5e-3);  // extrapolated
 }
 
 }  // namespace

@@ -59,6 +59,27 @@ TEST(SurfaceHistory, DoesNotDependOnTheAnglesThatAreLeftOut) {
   EXPECT_NEAR(quarter.dissipated[0], whole.dissipated[0], 1e-9);
 }
 
+// The contact is where any pressure has been, whatever is left of it at the end; one cycle has none to be compared to.
+TEST(SurfaceHistory, HasTheContactOfTheWholeCycle) {
+  const auto& surface = surface_half_space(0, 16);
+  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
+  const LateralMotion rest{[](double, double) {
+                             return ValueAndRate{0, 0};
+                           },
+                           [](double, double) {
+                             return ValueAndRate{0, 0};
+                           }};
+  const auto shrinking = [&](long step) -> VectorXd {
+    VectorXd pressure = hertz_pressure(surface);
+    if (step >= 8) pressure.tail(pressure.size() - 8).setZero();
+    return pressure;
+  };
+  const auto history =
+      vector_friction_history(VectorFriction(op, {}, 1, rest, 16), shrinking, ring_problems(surface), exactly(1));
+  EXPECT_NEAR(history.contact.radius, 1, 5e-3);
+  EXPECT_EQ(history.periodicity, 1);
+}
+
 // To and fro under a constant pressure nothing shakes down: both regions are one, and the second cycle repeats.
 TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
   const auto& surface = surface_half_space(0, 16);
@@ -83,6 +104,7 @@ TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
                energy = 9 * force * force * 2 / 10 *
                         (1 - std::pow(1 - share, 5.0 / 3) - 5 * share / 6 * (1 + std::pow(1 - share, 2.0 / 3)));
   EXPECT_NEAR(history.dissipated[2] / energy, 1, 2e-2);
+  EXPECT_NEAR(history.tangential_work / history.dissipated[2], 1, 1e-3) << "nothing of it is left in the body";
 }
 
 // In phase with the pressure, points shake down beyond where they have never slipped; there |t| comes to its limit in

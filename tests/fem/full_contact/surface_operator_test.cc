@@ -102,6 +102,7 @@ TEST(SurfaceOperator, OfTheFirstRingsIsALeadingBlock) {
   field.bottomRows(op.n_rings() - 4).setZero();
   op.apply(field, image);
   op.leading(4).apply(field.topRows(4), image_of_part);
+  EXPECT_EQ(op.leading(4).radii(), std::vector<double>(op.radii().begin(), op.radii().begin() + 5));
   EXPECT_LT((image.topRows(4) - image_of_part).norm(), 1e-14 * image.norm());
 }
 

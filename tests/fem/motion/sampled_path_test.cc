@@ -67,6 +67,10 @@ TEST(SampledPath, HasTwiceTheStepsWhereTwiceAsManyAreWanted) {
   for (const auto& path : {saw(true), dense})
     for (const int wanted : {9, 18, 36, 72}) EXPECT_EQ(steps_along(path, 2 * wanted), 2 * steps_along(path, wanted));
   EXPECT_EQ(steps_along(dense, 9), 100);
+  EXPECT_EQ(steps_along(dense, 14), 200) << "the nearer multiple";
+  SampledPath of_nine{{}, {}, {}, 1, 0, true};
+  for (int k = 0; k <= 9; ++k) of_nine.time.push_back(0.1 * k * (2 * pi / 0.9));
+  EXPECT_EQ(steps_along(of_nine, 9), 9) << "each piece is a ninth of the cycle, to roundoff";
 }
 
 TEST(SampledPath, RisesFromRestOrBeginsAtItsFirstRow) {

@@ -69,5 +69,16 @@ TEST(GridRefinement, KeepsTheBoundaryAndItsParts) {
   for (const auto& [part, length] : lengths_of(coarse)) EXPECT_NEAR(lengths[part], length, 1e-13);
 }
 
+TEST(GridRefinement, KeepsTheElasticityOfEachCell) {
+  GridData coarse = coarse_grid();
+  coarse.elasticity.poisson_ratio = 0.3;
+  for (std::size_t i = 0; i < coarse.cells.size(); ++i) coarse.elasticity.moduli.push_back(1 + static_cast<double>(i));
+  const auto fine = refined(coarse);
+  EXPECT_EQ(fine.elasticity.poisson_ratio, 0.3);
+  ASSERT_EQ(fine.elasticity.moduli.size(), fine.cells.size());
+  for (std::size_t k = 0; k < fine.cells.size(); ++k)
+    EXPECT_EQ(fine.elasticity.moduli[k], coarse.elasticity.moduli[k / 4]) << k;
+}
+
 }  // namespace
 }  // namespace fretval::fem::grid_refinement_test

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <vector>
 
 #include "tests/fem/half_space.h"
@@ -19,6 +20,15 @@ TEST(WiderRings, MoveAsTheirTwoHalvesUnderTheSamePressure) {
   const Eigen::VectorXd moved = *wide.matrix * pressure, of_rings = *compliance.matrix * of_halves;
   for (Eigen::Index i = 0; i < 9; ++i) EXPECT_NEAR(moved[i], of_rings[2 * i] + of_rings[2 * i + 1], 1e-15);
   EXPECT_EQ(wide.half_space, nullptr);
+}
+
+TEST(WiderRings, AreThoseOfTheHalfSpaceToo) {
+  auto compliance = normal_half_space(16).compliance;
+  compliance.half_space = std::make_shared<const Compliance>(normal_half_space(16).compliance);
+  const auto wide = with_wider_rings(compliance);
+  ASSERT_TRUE(wide.half_space);
+  EXPECT_EQ(wide.half_space->radii, wide.radii);
+  EXPECT_EQ(*wide.half_space->matrix, *wide.matrix);
 }
 
 TEST(WiderRings, LeaveAnOddRingOut) {

@@ -213,8 +213,15 @@ TEST(ZoneMap, HasTheOuterEdgesOfRings) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(edges[i], 0.5 * static_cast<double>(i + 1), 1e-15);
 }
 
+TEST(Plots, KnowWhichAxisIsLogarithmic) {
+  Plot plot{"title", "x", "y"};
+  plot.log_x = true;
+  EXPECT_EQ(json_of(plot)["log_x"], true);
+  EXPECT_EQ(json_of(plot)["log_y"], false);
+}
+
 TEST(Axis, HasThePrefixOfTheLargestValue) {
-  const std::vector<double> small{1e-6, -2e-3, std::nan("")}, nothing{0};
+  const std::vector<double> small{1e-6, -2e-3, std::nan(""), HUGE_VAL}, nothing{0};
   const auto axis = axis_for({&small, &nothing}, "m");
   EXPECT_EQ(axis.unit, "mm");
   EXPECT_NEAR(axis.of(small)[1], -2, 1e-15);

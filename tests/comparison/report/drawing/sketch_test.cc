@@ -27,6 +27,19 @@ TEST(Sketch, IsToScale) {
   EXPECT_NEAR((at(sketch["stick"]["right"]) - at(sketch["stick"]["left"])) / a, 0.5, 1e-3) << "c / a";
   EXPECT_NEAR((at(sketch["bottom"]) - at(sketch["level"])) / a, 0.25, 1e-3) << "d / 2a";
   EXPECT_TRUE(sketch["motions"].empty());
+  for (const char* key : {"indenter", "surface"}) {
+    const auto points = sketch[key].get<std::string>();
+    const auto height_at = [&](std::size_t from) { return points.substr(points.find(',', from) + 1, 5); };
+    EXPECT_EQ(height_at(0), height_at(points.rfind(' ', points.size() - 2))) << key << " is its own mirror image";
+  }
+  result.json["fe"]["indentation_max"] = 0.25;
+  result.json["scene"].erase("tangential_amplitude");
+  result.json["fe"]["tangential_amplitude"] = 0.0125;
+  const auto under_force = sketch_of(result);
+  const double radius = at(under_force["a_right"]) - at(under_force["a_left"]);
+  EXPECT_NEAR((at(under_force["bottom"]) - at(under_force["level"])) / radius, 0.125, 1e-3) << "as the body gave way";
+  EXPECT_EQ(under_force["slide"]["u"], "12.5 mm");
+  EXPECT_EQ(at(under_force["slide"]["left"]) + at(under_force["slide"]["right"]), under_force["width"]);
 }
 
 // Over a width of 250 from 20 on and from 690 on, 62 high from 40 on.

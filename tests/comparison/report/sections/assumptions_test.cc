@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/shown.h"
@@ -35,6 +37,40 @@ TEST(Assumptions, AreThoseOfTheContactOnRingsAndAngles) {
   const auto html = rendered(assumptions_of({json, {}}));
   EXPECT_EQ(html.find("its traction in the direction of the motion"), std::string::npos);
   expect_parts(html, {"has any direction along the surface"});
+}
+
+TEST(Assumptions, NameWhatTheBodyWouldCouple) {
+  const auto of = [](const std::vector<nlohmann::ordered_json>& inputs, bool mesh = false) {
+    auto json = stored_result();
+    json["scene"]["inputs"] = inputs;
+    json["scene"]["contact_radius_unworn"] = 0.002;
+    if (mesh) json["scene"]["mesh"] = nlohmann::ordered_json::object();
+    return assumptions_of({json, {}});
+  };
+  const nlohmann::ordered_json compressible{{"section", "Elastomer"}, {"name", "Poisson ratio"}, {"value", 0.4}},
+      layer{{"section", "Body"}, {"name", "Thickness"}, {"value", 0.01}},
+      on{{"section", "Contact"}, {"name", "Coupling"}, {"value", "on"}};
+  EXPECT_FALSE(of({}).contains("uncoupled"));
+  EXPECT_TRUE(of({compressible}).contains("uncoupled"));
+  EXPECT_TRUE(of({layer}).contains("uncoupled"));
+  EXPECT_TRUE(of({}, true).contains("uncoupled"));
+  EXPECT_FALSE(of({compressible, on}).contains("uncoupled"));
+  EXPECT_TRUE(of({compressible}).contains("depth"));
+  EXPECT_FALSE(of({layer}).contains("depth"));
+  EXPECT_FALSE(of({}, true).contains("depth"));
+}
+
+// A cone has no arc, and along a path the amplitude over the indentation is none of lifting off.
+TEST(Assumptions, AreOfTheShapeAndTheMotion) {
+  auto json = stored_result();
+  json["scene"]["inputs"] = {{{"section", "Indenter"}, {"name", "Radius"}, {"value", 0.01}}};
+  json["scene"]["shape"] = "parabola";
+  EXPECT_TRUE(assumptions_of({json, {}}).contains("arc"));
+  EXPECT_TRUE(assumptions_of({json, {}}).contains("lift_off"));
+  json["scene"]["shape"] = "sphere";
+  json["scene"]["path"] = {{"repeats", "forever"}};
+  EXPECT_FALSE(assumptions_of({json, {}}).contains("arc"));
+  EXPECT_FALSE(assumptions_of({json, {}}).contains("lift_off"));
 }
 
 TEST(Assumptions, SayNothingOfWhatIsNotKnown) {

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "comparison/quantities/quantity.h"
 #include "comparison/report/sections/sections.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/scratch_folder.h"
@@ -36,7 +37,31 @@ TEST(TradeSection, DrawsTheCostAndEachAxisOfMoreThanOneLevel) {
   const auto section = trade_section(folder.path());
   expect_parts(section.dump(), {"Error over time", "Error over rings", "closed form: error 0"});
   EXPECT_EQ(section.dump().find("Error over order"), std::string::npos);
-  expect_parts(rendered(section), {"Speed and accuracy: case &lt;b&gt;", "<td class=\"bad-cell\">1.0e-03</td>"});
+  const auto html = rendered(section);
+  expect_parts(html, {"Speed and accuracy: case &lt;b&gt;", "<td class=\"bad-cell\">1.0e-03</td>"});
+  EXPECT_GT(html.find("class=\"bad-cell\""), html.find("too coarse")) << "of the setting that meets its tolerance none";
+}
+
+TEST(TradeSection, DrawsTheErrorsOfEachQuantityAndTheClosedFormAlongTheFront) {
+  const ScratchFolder folder;
+  folder.write("trade.json", stored_trade().dump());
+  const auto section = trade_section(folder.path());
+  const auto& figures = section["trades"][0]["figures"]["figures"];
+  ASSERT_EQ(figures.size(), 2U);
+  const auto& cost = figures[0]["plot"];
+  for (const auto& series : cost["series"]) {
+    if (series["label"] != "closed form: error 0") continue;
+    EXPECT_EQ(series["x"], nlohmann::ordered_json({2.5e-5, 2.5e-5}));
+    EXPECT_EQ(series["y"], nlohmann::ordered_json({8e-3, 1e-3}));
+  }
+  const auto& rings = figures[1]["plot"];
+  EXPECT_NEAR(rings["x_range"][0].get<double>(), 8 / 1.15, 1e-9);
+  EXPECT_NEAR(rings["x_range"][1].get<double>(), 16 * 1.15, 1e-9);
+  ASSERT_EQ(rings["series"].size(), 2U);
+  for (const auto& series : rings["series"]) {
+    const bool is_force = series["label"].get<std::string>() == traits_of(Quantity::normal_force_max).label;
+    EXPECT_EQ(series["y"], is_force ? nlohmann::ordered_json({1e-4}) : nlohmann::ordered_json({8e-3, 1e-3}));
+  }
 }
 
 TEST(TradeSection, EscapesTheNamesOfAxesAndRefusesADamagedFile) {

@@ -53,6 +53,29 @@ TEST(ValuesTable, HasOneValueWhereASweepChangesNothing) {
   expect_parts(text, {"  500 ± 1 mm  500.000 mm"});
 }
 
+TEST(ValuesTable, HasOneValueWhereASweepChangesLessThanItsBar) {
+  const auto text = text_of(
+      values_table({with_radius("mine", 1, 0.5, 0.5, 1e-3), with_radius("mine", 2, 0.5009, 0.5, 1e-3)}, radius_alone));
+  expect_parts(text, {"  501 ± 1 mm  500.000 mm"});
+}
+
+TEST(ValuesTable, HasTheQuantitiesOfUpToEightFamilies) {
+  std::vector<StoredResult> results;
+  for (int k = 0; k < 8; ++k) results.push_back(with_radius(fmt::format("family {}", k), 1, 0.25, 0.25, 1e-3));
+  EXPECT_EQ(values_table(results, radius_alone).rows.size(), 16U) << "a head and a row each";
+}
+
+// Stick radii stand for a sweep; where nothing sticks in any of it, the contact does.
+TEST(ValuesTable, HasTheContactOfASweepWhereNothingSticks) {
+  auto sticks = with_radius("mine", 1, 0.5, 0.5, 1e-3);
+  EXPECT_EQ(text_of(sweep_rows({sticks})).find("contact radius"), std::string::npos);
+  for (const char* side : {"fe", "mdr"})
+    for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"}) sticks.json[side][key] = nullptr;
+  const auto text = text_of(sweep_rows({sticks}));
+  EXPECT_EQ(text.find("stick radius"), std::string::npos) << text;
+  expect_parts(text, {"normal force"});
+}
+
 TEST(ValuesTable, HasNothingForRoundoff) {
   const auto text = text_of(values_table(
       {with_radius("mine", 1, 1e-14, -1e-17, 1e-3), with_radius("mine", 2, -1e-14, 3e-17, 1e-3)}, radius_alone));

@@ -59,6 +59,27 @@ TEST(TradePlan, VariesOneAxisAtATimeAndKeepsTheChoicesOfTheTool) {
   }
 }
 
+// Fine settings begin and end as finer tolerances ask for, on a far boundary that is further away.
+TEST(TradePlan, GoesWithRingsAndStepsInAllElse) {
+  const auto fem = prepared_case().fem;
+  const auto plan = trade_plan(fem, {{16, 32, 48, 128}, {3}, {3}, {0.3}, {12}, {48, 96}, {16}, {1e-2}});
+  EXPECT_EQ(plan.reference.elements_per_radius, 64U) << "at most";
+  EXPECT_EQ(plan.reference.steps_per_cycle, 96);
+  EXPECT_EQ(plan.reference.far_radius, 25);
+  EXPECT_EQ(plan.reference.n_creep_cycles, resolution_for(1e-3).n_creep_cycles);
+  ASSERT_EQ(plan.full.size(), 1U);
+  EXPECT_EQ(plan.full[0].steps_per_cycle, 48) << "the fewest";
+  EXPECT_EQ(plan.full[0].far_radius, 12);
+  EXPECT_EQ(plan.full[0].n_creep_cycles, resolution_for(1e-2).n_creep_cycles);
+  int n_of_32 = 0;
+  for (const auto& [resolution, axes] : plan.settings)
+    if (axes.empty() && resolution.elements_per_radius == 32) {
+      EXPECT_EQ(resolution.far_radius, 12);
+      ++n_of_32;
+    }
+  EXPECT_EQ(n_of_32, 2);
+}
+
 // Histories of an unlocked phase are long.
 TEST(TradePlan, OfALongHistoryIsSmaller) {
   auto scene = prepared_case().fem;

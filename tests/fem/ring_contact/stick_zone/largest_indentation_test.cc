@@ -28,6 +28,25 @@ TEST(LargestIndentation, OfAnElasticBodyIsOffByTheForceOverItsStiffness) {
   EXPECT_NEAR(uncertainty, 1e-3 / (8 * 0.5), 1e-3 * uncertainty);
 }
 
+// What bears beyond the edge has an uncertainty of its own, and the punch has the radius of its step.
+TEST(LargestIndentation, IsOffByAllForcesAtTheRadiusOfTheirStep) {
+  auto history = uncertain_once();
+  history.contact_radius = Eigen::VectorXd::LinSpaced(8, 0.2, 0.9);
+  history.force_beyond_uncertainty[3] = 2e-3;
+  EXPECT_NEAR(largest_indentation(normal_half_space(32), elastic_body(), history).uncertainty, 3e-3 / (8 * 0.5), 1e-6);
+}
+
+// In steps of 0.5 a dashpot gives way by dF/(8 a) over its response to one of them. What it has moved by in a cycle
+// dies out slowly, and adds up with that of the next one.
+TEST(LargestIndentation, OfADashpotGoesWithTheLengthsOfItsStepsAndAddsUp) {
+  auto history = uncertain_once();
+  for (int k = 0; k < 8; ++k) history.pieces.push_back({0.5 * k, 0.5 * (k + 1), true, true});
+  const RelaxationModel body{1, {}, {}, 100};
+  const double response = RelaxationStep(body, 0.5).instantaneous(), once = 1e-3 / (8 * 0.5) / response;
+  EXPECT_NEAR(largest_indentation(normal_half_space(32), body, history).uncertainty,
+              once * (1 + std::pow(1 - 1 / response, 8)), 2e-3 * once);
+}
+
 // A dashpot gives way slowly: by dF/(8 a) over its response in a step, and goes on from there if the next force is off.
 TEST(LargestIndentation, OfAStiffDashpotIsHardlyOff) {
   RelaxationModel body{1, {}, {}, 100};
