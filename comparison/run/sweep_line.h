@@ -26,8 +26,8 @@ std::string column_of_entry(const std::string& entry);
 /// `mdr_springs.csv`: also the quantities for which springs are stepped in time, some 20 ms of a core for a value: at a
 /// hundred values, or fewer if there are many sweeps, but at least 24. All quantities stand in this file alone, at 24
 /// values, for a case under prescribed forces, over a layer, of a motion in two directions, with several normal
-/// harmonics, or with measured moduli, which are fitted for each value; by half as many springs and steps as at the
-/// points but over a layer, which is enough for a line (energies to 3e-4).
+/// harmonics, or with measured moduli, which are fitted for each value. Under forces and in two directions by half as
+/// many springs and steps as at the points, which is enough for a line (energies of friction to 3e-4).
 /// Columns: the entry, then the quantities, "nan" where MDR has none. Nothing is written where the entry does not take
 /// values between, nor where values are so costly and the motion has no period.
 class SweepLines {

@@ -116,7 +116,9 @@ TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
     const auto line = [&](Quantity quantity) {
       return read_sweep_line(folder.path() / "swept", "Friction / Coefficient", quantity);
     };
-    const auto between = mdr_case(read_case(replace(text, "Coefficient = 0.5", "Coefficient = 0.4")));
+    auto between = mdr_case(read_case(replace(text, "Coefficient = 0.5", "Coefficient = 0.4")));
+    const auto at_a_point = mdr_answer_with_cycle(between, mdr_normal_response(between));
+    if (between.has_forces()) between.coarser_springs = 2;
     const auto answer = mdr_answer_with_cycle(between, mdr_normal_response(between));
     const auto [friction, radius] = line(Quantity::stick_radius_shakedown);
     ASSERT_EQ(friction.size(), 25U);
@@ -124,6 +126,8 @@ TEST(SweepLine, IsSteppedWhereNothingHasAClosedForm) {
     EXPECT_NEAR(radius[12] / answer.stick_radius_shakedown.value(), 1, 1e-9);
     EXPECT_NEAR(line(Quantity::tangential_force_max).second[12] / answer.cycle->value(Quantity::tangential_force_max),
                 1, 1e-9);
+    EXPECT_NEAR(radius[12] / at_a_point.stick_radius_shakedown.value(), 1, 1e-5);
+    EXPECT_NEAR(line(Quantity::friction_work).second[12] / at_a_point.cycle->value(Quantity::friction_work), 1, 3e-3);
     EXPECT_EQ(line(Quantity::indentation_max).second.empty(), !answer.indentation_max);
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "swept" / "mdr.csv"));
   }
