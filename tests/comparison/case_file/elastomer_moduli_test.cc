@@ -26,10 +26,25 @@ TEST(ElastomerModuli, OfRatiosFollowFromEitherModulus) {
   }
 }
 
+// Young's modulus of an incompressible body is three times its shear modulus, at nu = 1/4 two and a half times.
+TEST(ElastomerModuli, OfAFileAreThoseThatTheCaseSays) {
+  const ScratchFolder folder;
+  const auto file = folder.write("branches.csv", "modulus [MPa],tau [s]\n7.5,0.1\n").string();
+  const auto branch = [&](const std::string& entries) {
+    return elastomer("set Rheology = prony\nset Branches = " + file + "\nset Relaxed shear modulus = 1 MPa\n" + entries)
+        .branch_moduli.at(0);
+  };
+  EXPECT_NEAR(branch("set Table modulus = shear"), 7.5e6, 1e-3);
+  EXPECT_NEAR(branch("set Table modulus = Young"), 2.5e6, 1e-3);
+  EXPECT_NEAR(branch("set Table modulus = Young\nset Poisson ratio = 0.25"), 3e6, 1e-3);
+}
+
 TEST(ElastomerModuli, ThatContradictEachOtherAreRefused) {
   for (const auto& [entries, part] :
-       {std::pair("set Branch ratios = 0.5, 0.6\nset Branch times = 1, 2\nset Relaxed shear modulus = 1e6",
-                  "ratios to the instantaneous modulus of a sum below 1"),
+       {std::pair("set Branch ratios = 0.5, 0.5\nset Branch times = 1, 2\nset Relaxed shear modulus = 1e6",
+                  "a sum below 1"),
+        {"set Branch ratios = 0.5, 0.6\nset Branch times = 1, 2\nset Relaxed shear modulus = 1e6",
+         "ratios to the instantaneous modulus of a sum below 1"},
         {"set Branch ratios = 0.5\nset Branch times = 1, 2\nset Relaxed shear modulus = 1e6", "1 times"},
         {"set Branch ratios = 0.5\nset Branch times = 1\nset Branch moduli = 1e6\nset Relaxed shear modulus = 1e6",
          "stand in their place"},
