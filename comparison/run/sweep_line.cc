@@ -149,9 +149,10 @@ SweepLines::SweepLines(const std::vector<Case>& cases) {
   QuantityList all(quantities_by_interest.begin(), quantities_by_interest.end());
   // The cycles to shakedown take a history of their own, which is stepped at the points alone.
   all.erase(std::find(all.begin(), all.end(), Quantity::cycles_to_shakedown));
+  for (const auto& input : cases)
+    if (input.sweep) folders_.insert(input.sweep->family);
   for (const auto& [first, places] : sweeps) {
     const fs::path folder = first->sweep->family;
-    folders_.push_back(folder);
     // No line is needed for a sweep whose results have as many values themselves.
     const auto add_line = [&](Line line) {
       if (line.cases.size() > line.places.size()) lines_.push_back(std::move(line));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,7 +52,7 @@ class SweepLines {
   struct Line;
   struct Task;
   std::vector<std::string> without_line_, costly_;  // families
-  std::vector<std::filesystem::path> folders_;      // of the families, in the output
+  std::set<std::filesystem::path> folders_;         // of all families, also of maps, in the output
   std::vector<Line> lines_;
   std::vector<Task> tasks_;
   NormalResponses normal_responses_;

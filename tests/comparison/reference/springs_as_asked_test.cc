@@ -55,6 +55,19 @@ TEST(SpringsAsAskedSlow, OfAnUnlockedPhaseAreKnownToAQuarterOfTheTolerance) {
   EXPECT_LE(answer.stepped.first_slip, input.tolerance / 4 * answer.contact_radius_max.value());
 }
 
+TEST(SpringsAsAsked, OfALineAreFewer) {
+  auto mdr = mdr_case(read_case());
+  mdr.coarser_springs = 2;
+  const auto springs = fineness_of(mdr, mdr::SpringFineness{200, 180, 4, 1e-8, 48}, 1);
+  EXPECT_EQ(springs.n_springs, 100);
+  EXPECT_EQ(springs.steps_per_oscillation, 90);
+  EXPECT_EQ(springs.n_ramp_periods, 4);
+  EXPECT_EQ(springs.n_oscillations, 48);
+  const auto along_path = fineness_of(mdr, mdr::PathFineness{200, 180, 10, 1e-8, 1}, 4);
+  EXPECT_EQ(along_path.n_springs, 400);
+  EXPECT_EQ(along_path.steps_per_duration * along_path.subdivisions, 360);
+}
+
 TEST(SpringsAsAsked, ThatNobodyAsksAreEnough) {
   auto mdr = mdr_case(on_a_layer(1e-3));
   EXPECT_FALSE(knows_normal_force(mdr, 1, 3e-5));

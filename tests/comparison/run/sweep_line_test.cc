@@ -168,6 +168,10 @@ TEST(SweepLine, IsNotThereWhereItWouldMeanNothing) {
   EXPECT_TRUE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5")));
   EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient", "0.3"))) << "that of before is gone";
   EXPECT_FALSE(is_written(swept(folder, "Accuracy / Rings per radius", "32, 48")));
+  EXPECT_TRUE(is_written(swept(folder, "Friction / Coefficient", "0.3, 0.5")));
+  EXPECT_FALSE(is_written(swept(folder, "Friction / Coefficient",
+                                "0.3, 0.5\n  set Second entry = Motion / Phase\n  set Second values = 0, 90")))
+      << "a map has no line";
 }
 
 // Without a first-slip zone from a small friction on.
