@@ -36,7 +36,7 @@ class Newton {
     constexpr double roundoff = 1e-14, quadratically_near = 1e-7;
     for (int step = 0; step < most_steps; ++step) {
       const Eigen::ArrayXd before = at_limit_;
-      const bool is_exact = !has_rim_ || is_solved(sum, quadratically_near);
+      const bool is_exact = (rim_load_ == 0).all() || is_solved(sum, quadratically_near);
       if (!advance(sum, step < full_steps ? 1 : 0.5)) return false;
       if (is_exact && (before == at_limit_).all() && step < full_steps) return true;
       if (is_solved(sum, roundoff)) return true;
@@ -63,7 +63,6 @@ class Newton {
     double *load = load_.data(), *rim_load = rim_load_.data(), *give = give_.data(), *at_limit = at_limit_.data();
     const double y = y_;
     constexpr double least_fall = std::numeric_limits<double>::min();  // where it is 0, nothing is within it
-    double rim = 0;
 #pragma GCC ivdep
     for (Eigen::Index j = 0, n = load_.size(); j < n; ++j) {
       const double stretch = stretches[j], lower = lowest[j], upper = highest[j], fall = falls[j];
@@ -74,9 +73,7 @@ class Newton {
       load[j] = std::min(std::max(wanted, lower), upper);
       rim_load[j] = within * share / 2;
       give[j] = ((side == 0 ? 1.0 : 0.0) + (above < 0 ? share : -share)) / stretch;
-      rim += rim_load[j];
     }
-    has_rim_ = rim > 0;
   }
 
   // A spring on the verge of its limit may go to and fro across it for ever, by roundoff.
@@ -116,7 +113,6 @@ class Newton {
   Eigen::VectorXd all_loads_, rest_;  // rest: of the share of the loads in each mode
   Eigen::ArrayXd at_limit_;           // -1 lower, 1 upper, 0 between
   Eigen::ArrayXd give_;               // of both loads, by what the equation has on its right
-  bool has_rim_;
 };
 
 [[noreturn]] void not_found() {

@@ -120,10 +120,12 @@ Figure error_map_figure(const MapOfPage& map, const ordered_json& at, Quantity q
     const double number = value.get<double>(), y = map.kind == MapKind::phase ? phase_on_maps(number) : number;
     plot.series.push_back({"this case", {ratio->get<double>()}, {y}, Series::Style::triangles, 7});
   }
-  return {plot,
-          fmt::format("Where MDR over an incompressible half-space is off by so much in the {}; parabola, elastic, "
-                      "μ = 0.5, k = 0.5. Hatched: near points whose error bar is more than a tenth of what they show, and 0.1 %.",
-                      traits_of(quantity).title)};
+  return {
+      plot,
+      fmt::format(
+          "Where MDR over an incompressible half-space is off by so much in the {}; parabola, elastic, "
+          "μ = 0.5, k = 0.5. Hatched: near points whose error bar is more than a tenth of what they show, and 0.1 %.",
+          traits_of(quantity).title)};
 }
 
 }  // namespace
