@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "comparison/case/oscillations.h"
 #include "comparison/case/table_noise.h"
 #include "comparison/case/test_duration.h"
 #include "mdr/profiles/profile_csv.h"
@@ -57,20 +58,6 @@ void add_slow_branches(const Case& input, std::vector<std::string>& warnings) {
       "to how long the test lasts, so that slower ones count as springs",
       input.file, slow.size(), input.elastomer.branch_times.size(), many_cycles, slow.front(), slow.back(),
       input.elastomer.relaxed_modulus));
-}
-
-/// Frequencies at which the indenter moves, or those of its forces; along a path that repeats, that of its period.
-std::vector<double> moving_frequencies(const Case::Motion& motion) {
-  if (motion.path) return motion.path->repeats ? std::vector{1 / motion.path->duration()} : std::vector<double>{};
-  std::vector<double> frequencies;
-  const auto add = [&](double amplitude, double frequency) {
-    if (amplitude > 0) frequencies.push_back(frequency);
-  };
-  add(motion.normal_force ? motion.normal_force->amplitude : motion.normal_amplitude, motion.normal_frequency);
-  add(motion.tangential_force.value_or(motion.tangential_amplitude), motion.tangential_frequency);
-  for (const auto* harmonics : {&motion.normal_harmonics, &motion.tangential_harmonics, &motion.transverse})
-    for (const auto& harmonic : *harmonics) add(harmonic.amplitude, harmonic.frequency);
-  return frequencies;
 }
 
 /// Warning about a motion at frequencies at which nobody has measured the moduli.

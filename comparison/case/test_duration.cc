@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
+#include "comparison/case/oscillations.h"
 #include "mdr/motion/commensurability.h"
-#include "mdr/motion/harmonic_motion.h"
 #include "mdr/rheology/branch_merging.h"
 
 namespace fretval {
@@ -17,26 +18,24 @@ constexpr double merging_share = 0.1, tolerance_without = 1e-3;
 constexpr double harmonics = 300;    // of the fastest oscillation, that the response to it still shows
 constexpr double rows_in_pass = 30;  // of a path, whose shape takes as many frequencies
 
+/// The lowest and the highest one.
 std::pair<double, double> frequencies_of(const Case::Motion& motion) {
-  double lowest = std::min(motion.normal_frequency, motion.tangential_frequency),
-         highest = std::max(motion.normal_frequency, motion.tangential_frequency);
-  for (const auto* oscillations : {&motion.normal_harmonics, &motion.tangential_harmonics})
-    for (const auto& one : *oscillations) {
-      lowest = std::min(lowest, one.frequency);
-      highest = std::max(highest, one.frequency);
-    }
-  if (motion.path) highest = std::max(highest, rows_in_pass / motion.path->duration());
+  if (motion.path) return {1 / motion.path->duration(), rows_in_pass / motion.path->duration()};
+  double lowest = std::numeric_limits<double>::infinity(), highest = 0;
+  for (const auto& one : oscillations_of(motion)) {
+    lowest = std::min(lowest, one.frequency);
+    highest = std::max(highest, one.frequency);
+  }
   return {lowest, highest};
 }
 
 /// The slowest frequency that a periodic state has besides rest.
 double slowest_shown(const Case::Motion& motion) {
   if (motion.path) return (motion.path->repeats ? 1 : 0.01) / motion.path->duration();
-  mdr::HarmonicMotion frequencies{1, {{1, motion.normal_frequency, 0}}, {{1, motion.tangential_frequency, 0}}, true};
-  for (const auto& one : motion.normal_harmonics) frequencies.normal.push_back({1, one.frequency, 0});
-  for (const auto& one : motion.tangential_harmonics) frequencies.tangential.push_back({1, one.frequency, 0});
-  const auto cycle = mdr::common_cycle(frequencies);
-  return cycle ? cycle->frequency : frequencies_of(motion).first;
+  std::vector<double> frequencies;
+  for (const auto& one : oscillations_of(motion)) frequencies.push_back(one.frequency);
+  const auto groups = mdr::commensurate_groups(frequencies);
+  return groups.size() == 1 ? groups[0].base_frequency : frequencies_of(motion).first;
 }
 
 bool has_frequencies(const Case::Motion& motion) {

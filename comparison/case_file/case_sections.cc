@@ -1,15 +1,18 @@
 #include "comparison/case_file/case_sections.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "comparison/case/oscillations.h"
 #include "comparison/data/aligned_trace.h"
 #include "comparison/data/master_curve.h"
 #include "comparison/data/path_table.h"
 #include "comparison/data/table_units.h"
 #include "comparison/support/constants.h"
+#include "mdr/motion/commensurability.h"
 #include "mdr/profiles/profile_csv.h"
 #include "mdr/rheology/modulus_table.h"
 #include "mdr/rheology/time_temperature.h"
@@ -41,6 +44,7 @@ void shift_to_temperature(const EntryReader& entries, Case::Elastomer& elastomer
   }
 }
 
+/// Those that move something: one of amplitude 0 would ask for steps of its frequency.
 std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std::string& name) {
   std::vector<Case::Harmonic> harmonics;
   if (!entries.given("Motion", name)) return harmonics;
@@ -50,8 +54,9 @@ std::vector<Case::Harmonic> read_harmonics(const EntryReader& entries, const std
                   name.find("force") == std::string::npos ? "m" : "N");
   if (values.size() % 3 != 0) entries.fail("Motion", name, valid);
   for (std::size_t k = 0; k + 2 < values.size(); k += 3) {
-    harmonics.push_back({values[k], values[k + 1], values[k + 2]});
-    if (!(harmonics.back().amplitude >= 0 && harmonics.back().frequency > 0)) entries.fail("Motion", name, valid);
+    const Case::Harmonic one{values[k], values[k + 1], values[k + 2]};
+    if (!(one.amplitude >= 0 && one.frequency > 0)) entries.fail("Motion", name, valid);
+    if (one.amplitude > 0) harmonics.push_back(one);
   }
   return harmonics;
 }
@@ -88,6 +93,17 @@ void read_tangential_motion(const EntryReader& entries, Case::Motion& motion) {
                                     : entries.number(section, "Tangential amplitude");
 }
 
+/// In two directions MDR steps a period of the motion.
+void require_repetition(const EntryReader& entries, const Case::Motion& motion) {
+  const auto frequencies = moving_frequencies(motion);
+  const bool are_valid = std::all_of(frequencies.begin(), frequencies.end(), [](double f) { return f > 0; });
+  if (!are_valid || mdr::commensurate_groups(frequencies).size() < 2) return;
+  entries.fail("Motion", "Tangential frequency",
+               fmt::format("a motion in two directions that repeats: frequencies in ratios of whole numbers, to twelve "
+                           "digits, instead of {:.12g} Hz",
+                           fmt::join(frequencies, ", ")));
+}
+
 /// The transverse motion: a displacement, or a force where the tangential motion is prescribed by one.
 void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
   const std::string section = "Motion";
@@ -114,6 +130,7 @@ void read_transverse_motion(const EntryReader& entries, Case::Motion& motion) {
   for (const auto& harmonic : read_harmonics(entries, harmonics)) motion.transverse.push_back(harmonic);
   if (!motion.phase)
     entries.fail(section, "Phase", "an angle in deg: in two directions the motion is computed with a fixed phase");
+  require_repetition(entries, motion);
 }
 
 /// The tolerance of a path: given, relative or with a unit, or a share of the tolerance of the case.

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "comparison/case/oscillations.h"
 #include "comparison/quantities/reading.h"
 #include "comparison/results/case_result.h"
 #include "comparison/support/constants.h"
@@ -91,7 +92,8 @@ std::vector<double> frequencies_of_interest(const Case& input, const mdr::PronyB
   std::vector<double> all;
   for (const double time : body.branch_times) all.push_back(1 / (radians_per_cycle * time));
   if (body.viscosity > 0) all.push_back(body.relaxed_modulus / (radians_per_cycle * body.viscosity));
-  if (!input.motion.path) all.insert(all.end(), {input.motion.normal_frequency, input.motion.tangential_frequency});
+  if (!input.motion.path)
+    for (const double frequency : moving_frequencies(input.motion)) all.push_back(frequency);
   if (const auto& curve = input.elastomer.master_curve)
     all.insert(all.end(), curve->frequency.begin(), curve->frequency.end());
   return all;

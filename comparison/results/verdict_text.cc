@@ -210,7 +210,7 @@ std::string zones_answer(const ordered_json& result, double stick, double contac
                by_mdr = result.contains("other_model") ? by_fe : number_or_nan(result.at("mdr"), "worn_radius"),
                worn = std::isnan(by_fe) ? by_mdr : by_fe;
   const auto zones = fmt::format("the inner {} of a contact of {} sticks for good", inner, text(contact));
-  if (std::isnan(worn)) return zones + "; the ring outside wears";
+  if (!(worn > 0)) return zones + "; the ring outside wears";
   const bool has_worn = fe.contains("wear") && fe.at("wear").value("ends_in_limit", false);
   return fmt::format("{}; the ring outside {}, out to {}", zones, has_worn ? "has worn off" : "wears", text(worn));
 }

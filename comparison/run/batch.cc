@@ -16,6 +16,7 @@
 #include "comparison/results/answer_text.h"
 #include "comparison/results/case_result.h"
 #include "comparison/results/verdict_text.h"
+#include "comparison/run/estimate.h"
 #include "comparison/simulation/compute_case.h"
 #include "comparison/support/log.h"
 #include "comparison/support/parallel.h"
@@ -176,6 +177,7 @@ BatchLine computed_line(const PreparedCase& prepared, const BatchOptions& option
 std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const BatchOptions& options,
                                  BodyStore& bodies) {
   std::vector<BatchLine> lines(cases.size());
+  const auto order = longest_first(cases, options.proof);
   NormalResponses references;
   std::mutex mutex;
   for_each_in_parallel(cases.size() + options.beside.n, [&](std::size_t i) {
@@ -183,9 +185,10 @@ std::vector<BatchLine> run_batch(const std::vector<PreparedCase>& cases, const B
       const std::size_t number = i - cases.size();
       return options.beside.take(number, options.beside.compute(number));
     }
-    lines[i] = computed_line(cases[i], options, bodies, references);
+    auto& line = lines[order[i]];
+    line = computed_line(cases[order[i]], options, bodies, references);
     const std::lock_guard<std::mutex> lock(mutex);
-    options.progress(lines[i]);
+    options.progress(line);
   });
   return lines;
 }

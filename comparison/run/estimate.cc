@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "comparison/accuracy/error_bars.h"
 #include "comparison/accuracy/refinement.h"
@@ -74,6 +75,16 @@ std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>&
   for (const auto& one : cases)
     seconds[one.input.name] = estimated_seconds(one, proof, n_sharing.at(one.fem.body)) / static_cast<double>(n_cores);
   return seconds;
+}
+
+std::vector<std::size_t> longest_first(const std::vector<PreparedCase>& cases, Proof proof) {
+  const auto seconds = estimated_seconds(cases, proof, 1);
+  std::vector<std::size_t> order(cases.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return seconds.at(cases[i].input.name) > seconds.at(cases[j].input.name);
+  });
+  return order;
 }
 
 std::size_t computations_for_bars(const FemCase& fem) {

@@ -29,6 +29,10 @@ double estimated_seconds(const PreparedCase& prepared, Proof proof, std::size_t 
 std::map<std::string, double> estimated_seconds(const std::vector<PreparedCase>& cases, Proof proof,
                                                 std::size_t n_cores);
 
+/// Indices of the cases, those first that are estimated to take long: one of them at the end would go on alone. Cases of
+/// equal estimates stay neighbours.
+std::vector<std::size_t> longest_first(const std::vector<PreparedCase>& cases, Proof proof);
+
 /// Whether the steady motion slides by the balance of forces (steady_sliding_share), which a computation finds at once.
 bool slides(const PreparedCase& prepared);
 

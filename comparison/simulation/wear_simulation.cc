@@ -35,11 +35,12 @@ double end_of_parabola(const WearSimulation& wear, Eigen::Index inner, double la
 /// loses the mean of a depth that goes on below zero; its part of the volume is that under the parabola, and its depth
 /// that of the parabola at its centre.
 void read_outer_edge(const Eigen::VectorXd& areas, WearSimulation& wear) {
-  constexpr double nothing = 1e-7;
+  constexpr double nothing = 1e-7;  // of the largest depth
   const Eigen::VectorXd& worn = wear.end.worn;
+  const double least = nothing * worn.maxCoeff();
   wear.end_volume = areas.dot(worn);
   Eigen::Index outermost = worn.size() - 1;
-  while (outermost >= 0 && worn[outermost] <= nothing) --outermost;
+  while (outermost >= 0 && worn[outermost] <= least) --outermost;
   if (outermost < 0) return;
   const auto ring = static_cast<std::size_t>(outermost);
   const double inner_edge = wear.radii[ring], last = wear.radii[std::min(ring + 2, wear.radii.size() - 1)];

@@ -121,10 +121,6 @@ bool OffBy::is_resolved() const {
   return std::abs(value) > uncertainty;
 }
 
-double OffBy::change() const {
-  return 1 / (1 + value) - 1;
-}
-
 OffBys off_by(const Readings& mdr, const ProvedAnswer& fe, const Units& units) {
   OffBys all;
   const auto scales = scales_of(fe.fe, units);

@@ -38,8 +38,6 @@ struct OffBy {
 
   /// Whether the error is larger than its uncertainty.
   [[nodiscard]] bool is_resolved() const;
-  /// Value by finite elements over MDR's, less 1.
-  [[nodiscard]] double change() const;
 };
 using OffBys = std::map<Quantity, OffBy>;
 

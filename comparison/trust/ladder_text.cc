@@ -47,33 +47,37 @@ std::string reason_of(const Rung& rung, double contact_radius) {
   return fmt::format("{}, a/H = {:.2g}", rung.title, contact_radius / body.thickness);
 }
 
-/// Change by all assumptions together beyond the sum of the rungs.
-std::optional<double> interaction_in(const Ladder& ladder, Quantity quantity) {
+/// What MDR is off by because of all assumptions together beyond the sum of the rungs; the bars of both add up.
+std::optional<OffBy> interaction_in(const Ladder& ladder, Quantity quantity) {
   if (ladder.rungs.size() < 2) return std::nullopt;
-  double rest = ladder.whole.off_by.at(quantity).change();
+  auto rest = ladder.whole.off_by.at(quantity);
   for (const auto& rung : ladder.rungs) {
     const auto found = rung.off_by.find(quantity);
     if (found == rung.off_by.end()) return std::nullopt;
-    rest -= found->second.change();
+    rest.value -= found->second.value;
+    rest.uncertainty += found->second.uncertainty;
   }
   return rest;
 }
 
-std::string off_by_text(const OffBys& all, Quantity quantity) {
-  const auto found = all.find(quantity);
-  if (found == all.end()) return "";
-  const auto& one = found->second;
+std::string off_by_text(const OffBy& one) {
   return one.is_resolved() ? percent(one.value, one.uncertainty)
                            : fmt::format("within {:.2g} %", 100 * one.uncertainty);
+}
+
+std::string off_by_text(const OffBys& all, Quantity quantity) {
+  const auto found = all.find(quantity);
+  return found == all.end() ? "" : off_by_text(found->second);
+}
+
+ordered_json off_by_json(const OffBy& one) {
+  return {{"value", one.value}, {"uncertainty", one.uncertainty}, {"resolved", one.is_resolved()}};
 }
 
 ordered_json off_by_json(const OffBys& all) {
   ordered_json json = ordered_json::object();
   for (const auto quantity : quantities_by_interest)
-    if (const auto found = all.find(quantity); found != all.end())
-      json[name_of(quantity)] = {{"value", found->second.value},
-                                 {"uncertainty", found->second.uncertainty},
-                                 {"resolved", found->second.is_resolved()}};
+    if (const auto found = all.find(quantity); found != all.end()) json[name_of(quantity)] = off_by_json(found->second);
   return json;
 }
 
@@ -126,7 +130,7 @@ std::string row_of(const Ladder& ladder, Quantity quantity) {
               column(off_by_text(ladder.whole.off_by, quantity), share_width);
   if (ladder.rungs.size() > 1)
     for (const auto& rung : ladder.rungs) line += column(off_by_text(rung.off_by, quantity), share_width);
-  if (const auto interaction = interaction_in(ladder, quantity)) line += fmt::format("{:+.3g} %", 100 * *interaction);
+  if (const auto interaction = interaction_in(ladder, quantity)) line += off_by_text(*interaction);
   line.erase(line.find_last_not_of(' ') + 1);
   return line + "\n";
 }
@@ -194,7 +198,7 @@ ordered_json ladder_json(const Case& input, const Ladder& ladder) {
   json["interaction"] = ordered_json::object();
   for (const auto& [quantity, off] : ladder.whole.off_by)
     if (const auto interaction = interaction_in(ladder, quantity))
-      json["interaction"][name_of(quantity)] = *interaction;
+      json["interaction"][name_of(quantity)] = off_by_json(*interaction);
   if (ladder.edges) json["zones"] = edges_json(*ladder.edges);
   json["not_computed"] = ordered_json::array();
   for (const auto& [assumption, order] : ladder.not_computed)

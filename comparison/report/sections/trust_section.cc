@@ -38,7 +38,7 @@ std::string changed(const ordered_json& all, const char* key) {
 /// Each assumption that is dropped, what they do together beyond that, and the whole, from MDR's value on.
 Filling waterfall_of(const ordered_json& trust, const std::string& key) {
   std::vector<ShareRow> rows;
-  double sum = 0;
+  double sum = 0, bars = 0;
   const auto add = [&](const std::string& label, double start, double change, double bar) {
     rows.push_back({label, {std::max(change, 0.0), std::min(change, 0.0)}, start, bar});
   };
@@ -48,9 +48,10 @@ Filling waterfall_of(const ordered_json& trust, const std::string& key) {
     const auto [value, bar] = change_of(*found);
     add(rung.at("title").get<std::string>(), sum, value, bar);
     sum += value;
+    bars += bar;
   }
   const auto [whole, bar] = change_of(trust.at("mdr_off_by").at(key));
-  if (rows.size() > 1) add("beyond the sum of these", sum, whole - sum, 0);
+  if (rows.size() > 1) add("beyond the sum of these", sum, whole - sum, bars + bar);
   add("the case as it is", 0, whole, bar);
   auto plot = share_bars(traits_of(*quantity_of(key)).title + std::string(": what MDR leaves out"),
                          "change against MDR's value in %", {"larger than MDR has it", "smaller"}, rows, 0, "%");

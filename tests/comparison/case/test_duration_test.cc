@@ -85,7 +85,8 @@ TEST(TestDuration, CountsTheCyclesOfTheSlowestOscillation) {
   auto input = wide_case();
   input.motion.tangential_frequency = 100;
   EXPECT_EQ(times_slower_than(1e4, input).size(), 9U);
-  for (auto* harmonics : {&input.motion.normal_harmonics, &input.motion.tangential_harmonics}) {
+  for (auto* harmonics :
+       {&input.motion.normal_harmonics, &input.motion.tangential_harmonics, &input.motion.transverse}) {
     harmonics->push_back({1e-6, 0.01, 0});
     EXPECT_EQ(times_slower_than(1e4, input).size(), 5U) << "slower than 1e6 s: 3e6 s to 3e8 s";
     harmonics->clear();

@@ -182,6 +182,28 @@ TEST(CaseSections, ForcesStandInsteadOfDisplacements) {
       {"Normal force amplitude = 1", "it belongs to a Normal force"});
 }
 
+TEST(CaseSections, AMotionInTwoDirectionsRepeats) {
+  const auto moves = [](const std::string& tangential, const std::string& transverse) {
+    const auto entries = displacements + "set Normal frequency = 0.3\nset Tangential frequency = " + tangential +
+                         "\nset Phase = 0\nset Tangential amplitude = 1e-5\nset Transverse amplitude = 1e-5\n" +
+                         "set Transverse phase = 90\nset Transverse frequency = " + transverse;
+    return read_case(case_with("Motion", entries) + "subsection Contact\n  set Friction = vector\nend\n").motion;
+  };
+  EXPECT_EQ(moves("0.9", "0.4").transverse[0].frequency, 0.4);
+  expect_parts(refusal([&] { moves("0.900001", "0.3"); }),
+               {"Tangential frequency = 0.900001", "that repeats", "instead of 0.3, 0.900001, 0.3 Hz"});
+  expect_parts(refusal([&] { moves("0.9", "0.424264068711929"); }), {"that repeats"});
+  expect_parts(refusal([&] { moves("0.9", "-1"); }), {"Transverse frequency = -1"});
+}
+
+TEST(CaseSections, HarmonicsOfAmplitudeZeroAreNone) {
+  const auto read = motion(frequencies + displacements + "set Normal harmonics = 0, 400, 10, 1e-6, 3, 20\n" +
+                           "set Tangential amplitude = 1e-5\nset Tangential harmonics = 0, 7, 0");
+  ASSERT_EQ(read.normal_harmonics.size(), 1U);
+  EXPECT_EQ(read.normal_harmonics[0].frequency, 3);
+  EXPECT_TRUE(read.tangential_harmonics.empty());
+}
+
 TEST(CaseSections, HarmonicsBelongToWhatIsPrescribed) {
   const std::string rest = "set Normal frequency = 1\n  set Tangential frequency = 1\n  set Phase = 0\n";
   const std::string by_force = "set Normal force = 1\n  set Normal force amplitude = 0.1\n",

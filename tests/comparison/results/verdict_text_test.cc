@@ -38,6 +38,9 @@ ordered_json result(const char* verdict) {
 TEST(PlainAnswer, SaysWhatSticksAndHowFarTheRestWears) {
   EXPECT_EQ(plain_answer(result("agree")),
             "the inner 0.790 mm of a contact of 1.10 mm sticks for good; the ring outside wears, out to 1.24 mm");
+  auto fresh = result("agree");
+  fresh["fe"]["worn_radius"] = 0;
+  EXPECT_EQ(plain_answer(fresh), "the inner 0.790 mm of a contact of 1.10 mm sticks for good; the ring outside wears");
   auto all = result("agree");
   all["fe"]["stick_radius_shakedown"] = 1.1e-3;
   EXPECT_EQ(plain_answer(all), "all of the contact of 1.10 mm sticks for good: nothing wears");

@@ -60,6 +60,14 @@ TEST(Estimate, OfManyIsSharedByTheCores) {
   EXPECT_DOUBLE_EQ(seconds.at("worn"), estimated_seconds(cases[1], Proof::bars) / 2);
 }
 
+TEST(Estimate, BeginsWithTheLongestCasesAndLeavesEqualOnesTogether) {
+  std::vector<PreparedCase> cases(4, prepared_case());
+  for (std::size_t i = 0; i < cases.size(); ++i) cases[i].input.name = std::to_string(i);
+  cases[0].fem.resolution.steps_per_cycle /= 2;
+  cases[2].fem.resolution.steps_per_cycle *= 8;
+  EXPECT_EQ(longest_first(cases, Proof::none), (std::vector<std::size_t>{2, 1, 3, 0}));
+}
+
 // A body is made once for all of them; their histories are their own.
 TEST(Estimate, OfManyCountsASharedBodyOnce) {
   std::vector<PreparedCase> cases(4, prepared_case());

@@ -42,6 +42,14 @@ TEST(WearSimulation, EndsWithItsWearAtTheOuterRadius) {
   EXPECT_NEAR(wear.centre[0], wear.radii[1] / std::sqrt(2), 1e-12);
 }
 
+// A cycle takes 1e-9 of what there is to wear, out to the edge of the contact all the same.
+TEST(WearSimulation, KnowsHowFarOutALittleWearGoes) {
+  const auto wear = worn_by("  set Coefficient = 1e-16\n  set Cycles = 1\n");
+  EXPECT_LT(wear.end.worn.maxCoeff(), 1e-7);
+  EXPECT_NEAR(wear.worn_radius, 1, 1.0 / 24);
+  EXPECT_EQ(worn_by("  set Coefficient = 1e-12\n  set Cycles = 0\n").worn_radius, 0);
+}
+
 // As worn_profile.csv has them.
 std::string rows_of(const WearSimulation& wear) {
   std::string rows = "r [m],f [m]\n0,0\n";

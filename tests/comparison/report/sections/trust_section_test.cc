@@ -40,6 +40,7 @@ TEST(TrustSection, HasTheLadderAsAWaterfall) {
   EXPECT_NEAR(rows[1].at("start").get<double>(), 25, 1e-9);
   EXPECT_NEAR(rows[1].at("shares").at(1).get<double>(), -5, 1e-9);
   EXPECT_NEAR(rows[2].at("shares").at(1).get<double>(), 12.5 - 20, 1e-9);
+  EXPECT_NEAR(rows[2].at("bar").get<double>(), 0.1 / 0.64 + 0.1 * 0.9025 + 0.1 * 81 / 64, 2e-3) << "of all three";
   EXPECT_NEAR(rows[3].at("shares").at(0).get<double>(), 12.5, 1e-9);
   EXPECT_EQ(rows[3].at("start").get<double>(), 0);
 }
