@@ -188,6 +188,19 @@ void carry_calibration(const FemCase& fem, const Computation& computation, Error
   if (calibration > 0 && found != budget.end()) found->second.add(ErrorSource::edge, calibration / fem.units.length);
 }
 
+/// Adds what instants within a step leave open of a cycle, which steps that are half as long may miss by as much.
+void carry_instants(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
+  if (!computation.fe.cycle) return;
+  const auto readings = readings_of(computation.fe, fem.units);
+  const auto scales = scales_of(computation.fe, fem.units);
+  for (const auto& [quantity, uncertainty] : computation.fe.cycle->of_steps) {
+    const auto bar = budget.find(quantity);
+    if (bar == budget.end() || uncertainty == 0) continue;
+    const double value = readings.at(quantity).value.value_or(0);
+    bar->second.add(ErrorSource::time_step, uncertainty / scale_of(quantity, scales, value));
+  }
+}
+
 /// Adds the shares of stick radii that differences between resolutions do not show.
 void carry_to_stick_radii(const Track& track, Borders borders, ErrorBudget& bars) {
   if (borders == Borders::carried) carry_depths(track, bars);
@@ -238,6 +251,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
     carry_calibration(prepared.fem, computed.at(resolution), bars);
+    if (shares != BarShares::of_rings) carry_instants(prepared.fem, computed.at(resolution), bars);
     if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

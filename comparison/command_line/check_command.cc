@@ -64,7 +64,7 @@ SuiteOutcome check_random(const CheckOptions& options) {
   if (options.only && !options.seed) throw InputError("--only: of which cases? Expected their --seed as well");
   const auto seed = options.seed.value_or(std::random_device()());
   if (!options.seed) log::info(fmt::format("new cases: --seed {} draws them again", seed));
-  const auto run = run_random_suite({seed, options.n_cases, options.only});
+  const auto run = run_random_suite({seed, options.n_cases, options.only, options.with_cycle});
   if (!options.worst_folder.empty())
     for (const auto* row : worst_rows(run.rows)) write_case_file(options.worst_folder, row->asked);
   return outcome_of(run);
@@ -112,6 +112,9 @@ void add_check_options(CLI::App& verb, CheckOptions& options) {
           "random");
   belongs(verb.add_option("--seed", options.seed, "Suite random: of the cases; otherwise a new one"), "random");
   belongs(verb.add_option("--only", options.only, "Suite random: only the case of this number, from 0"), "random");
+  belongs(verb.add_flag("--cycle", options.with_cycle,
+                        "Suite random: hold forces and energies of a cycle to their bars as well"),
+          "random");
   belongs(verb.add_option("--write-worst", options.worst_folder, "Suite random: folder for case files of the worst"),
           "random");
 }

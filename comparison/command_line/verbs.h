@@ -114,6 +114,7 @@ struct CheckOptions {
   std::size_t n_cases = 10000;                   ///< suite random
   std::optional<std::uint64_t> seed;             ///< suite random; empty: a new one
   std::optional<std::size_t> only;               ///< suite random: the number of the one case
+  bool with_cycle = false;                       ///< suite random: forces and energies of a cycle as well
   std::string worst_folder;                      ///< suite random; empty: case files are not written
   std::map<const CLI::Option*, std::string> of;  ///< the suite that an option belongs to
 };

@@ -5,6 +5,7 @@
 
 #include "comparison/reference/mdr_values.h"
 #include "mdr/motion/commensurability.h"
+#include "mdr/profiles/zone_depth.h"
 #include "mdr/springs/forced_response.h"
 #include "mdr/springs/path_data.h"
 #include "mdr/stick/stick_radius.h"
@@ -44,9 +45,12 @@ void divide_works(double displacement, CycleReadings& cycle);
 template <class Response>
 void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
                  const Response& response, const Response& error, MdrAnswer& answer) {
-  const auto radii = mdr::stick_radii(mdr.profile, depths);
-  const auto farther = mdr::stick_radii(
-      mdr.profile, {depths.first_slip + depth_errors.first_slip, depths.shakedown + depth_errors.shakedown});
+  const auto radii_at = [&](double first_slip, double shakedown) {
+    if (!mdr.layer) return mdr::stick_radii(mdr.profile, {first_slip, shakedown});
+    return mdr::StickRadii{mdr::zone_radius(mdr.profile, first_slip), mdr::zone_radius(mdr.profile, shakedown)};
+  };
+  const auto radii = radii_at(depths.first_slip, depths.shakedown),
+             farther = radii_at(depths.first_slip + depth_errors.first_slip, depths.shakedown + depth_errors.shakedown);
   const auto off = [](const std::optional<double>& radius, const std::optional<double>& other) {
     return radius && other ? *other - *radius : 0;
   };

@@ -9,8 +9,10 @@
 namespace fretval {
 namespace {
 
-constexpr std::array prefixes{UnitPrefix{"n", 1e-9}, UnitPrefix{"µ", 1e-6}, UnitPrefix{"m", 1e-3}, UnitPrefix{"", 1},
-                              UnitPrefix{"k", 1e3},  UnitPrefix{"M", 1e6},  UnitPrefix{"G", 1e9}};
+constexpr UnitPrefix of_nothing{"n", 1e-9};
+constexpr std::array prefixes{
+    UnitPrefix{"a", 1e-18}, UnitPrefix{"f", 1e-15}, UnitPrefix{"p", 1e-12}, of_nothing,           UnitPrefix{"µ", 1e-6},
+    UnitPrefix{"m", 1e-3},  UnitPrefix{"", 1},      UnitPrefix{"k", 1e3},   UnitPrefix{"M", 1e6}, UnitPrefix{"G", 1e9}};
 
 /// Decimals that show a bar with one digit, or a value with six.
 int decimals_of(double value, double bar) {
@@ -24,7 +26,7 @@ int decimals_of(double value, double bar) {
 }  // namespace
 
 UnitPrefix prefix_for(double value) {
-  auto best = prefixes.front();
+  auto best = value == 0 ? of_nothing : prefixes.front();
   for (const auto& prefix : prefixes)
     if (std::abs(value) >= prefix.factor) best = prefix;
   return best;

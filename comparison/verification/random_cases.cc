@@ -16,6 +16,7 @@
 #include "comparison/support/stopwatch.h"
 #include "comparison/verification/suites.h"
 #include "comparison/verification/written_case.h"
+#include "mdr/motion/commensurability.h"
 
 namespace fretval {
 namespace {
@@ -51,13 +52,14 @@ double draw_exponent(RandomNumbers& random) {
 /// Shapes whose contact radius at the depth is about the length.
 Entries draw_indenter(RandomNumbers& random, const Scale& scale) {
   const double radius = scale.length * scale.length / scale.depth;
-  const auto shape = random.weighted({3, 2, 3, 1.5, 1.5});
+  const auto shape = random.weighted({3, 2, 3, 1.5, 1.5, 1});
   if (shape == 0) return parabola(rounded(radius));
   if (shape == 1) return cone(rounded(std::atan(2 * scale.depth / (pi * scale.length)) * 180 / pi));
   if (shape == 2) {
     const double exponent = rounded(draw_exponent(random));
     return power(exponent, rounded(scale.depth / std::pow(scale.length, exponent)));
   }
+  if (shape == 5) return sphere(rounded(radius));
   const double flat = rounded(scale.length * random.uniform(0.05, 0.95));
   const double rest = rounded(radius * random.log_uniform(0.1, 10));
   return shape == 3 ? rounded_flat(flat, rest) : truncated_sphere(rest, flat);
@@ -196,6 +198,44 @@ double modulus_ratio_of(const Entries& entries) {
   return mdr::modulus_ratio(mdr.body, mdr::angular_frequency(mdr.motion.normal.front().frequency));
 }
 
+/// Whether the motion repeats after a few oscillations.
+bool has_short_cycle(const Entries& entries) {
+  constexpr int few = 10;
+  const auto ratio = mdr::frequency_ratio(std::stod(entries.at("Motion / Tangential frequency")) /
+                                          std::stod(entries.at("Motion / Normal frequency")));
+  return entries.at("Motion / Phase") != "free" && ratio && std::max(ratio->numerator, ratio->denominator) <= few;
+}
+
+/// Another body than an incompressible half-space, in some cases. Springs of a layer go through a long cycle for
+/// minutes.
+Entries with_body(RandomNumbers& random, Entries entries, const Scale& scale) {
+  if (random.chance(0.25))
+    entries["Elastomer / Poisson ratio"] = entry_text(random.one_of<double>({0, 0.2, 0.4, 0.49}));
+  if (!random.chance(0.25) || !has_short_cycle(entries)) return entries;
+  return with_numbers(with(entries, {{"Body / Shape", "layer"}, {"Body / Base", "bonded"}}),
+                      {{"Body / Thickness", rounded(scale.length * random.log_uniform(0.3, 20))}});
+}
+
+/// Forces in the place of displacements, in some cases: those of a contact of the size of the scale. Histories under
+/// them, too, go through a long cycle for minutes.
+Entries with_forces(RandomNumbers& random, Entries entries, const Scale& scale, double friction, double normal_ratio) {
+  const double force = rounded(4 * scale.modulus * scale.length * scale.depth * random.log_uniform(0.2, 2));
+  const bool repeats = has_short_cycle(entries), normally = random.chance(0.1) && repeats,
+             tangentially = random.chance(0.1) && repeats;
+  if (normally) {
+    for (const char* name : {"Indentation", "Normal amplitude", "Normal harmonics"})
+      entries.erase(std::string("Motion / ") + name);
+    entries =
+        with_numbers(entries, {{"Motion / Normal force", force},
+                               {"Motion / Normal force amplitude", rounded(std::min(normal_ratio, 0.95) * force)}});
+  }
+  if (!tangentially) return entries;
+  for (const char* name : {"Tangential amplitude", "Tangential harmonics"})
+    entries.erase(std::string("Motion / ") + name);
+  return with_numbers(entries,
+                      {{"Motion / Tangential force amplitude", rounded(friction * force * random.uniform(0, 0.9))}});
+}
+
 constexpr int most_attempts = 100;
 
 std::string family_of(const Entries& entries) {
@@ -233,6 +273,7 @@ std::vector<SuiteCase> drawn_cases(const RandomSuiteOptions& options) {
   std::atomic<std::size_t> n_drawn{0};
   for_each_in_parallel(cases.size(), [&](std::size_t i) {
     cases[i] = drawn_case(options.seed, first + i);
+    cases[i].with_cycle = options.with_cycle;
     const auto n = ++n_drawn;
     progress.under_way("cases", static_cast<double>(n) / static_cast<double>(cases.size()),
                        fmt::format("{} of {} drawn", n, cases.size()));
@@ -268,7 +309,8 @@ Entries random_entries(const RandomDraw& draw) {
                           {"Motion / Tangential amplitude", "shakedown"}});
   entries =
       with_tangential_amplitude(random, entries, 1.5 * friction * scale.depth / stiffening, stiffening * normal_ratio);
-  return with_harmonic(random, with_harmonic(random, entries, "Normal"), "Tangential");
+  entries = with_harmonic(random, with_harmonic(random, entries, "Normal"), "Tangential");
+  return with_forces(random, with_body(random, entries, scale), scale, friction, normal_ratio);
 }
 
 SuiteRun run_random_suite(const RandomSuiteOptions& options) {

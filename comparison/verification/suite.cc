@@ -33,24 +33,26 @@ void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& co
 /// Values of finite elements beside MDR's. A value that they lack is not a number and fails, except the contact radius
 /// of a worn profile, whose flank touches without pressure, and where nothing is refined, as coarse rings may not show
 /// an edge.
-ComparedQuantities compared_quantities(const PreparedCase& prepared, Proof proof, const ProvedAnswer& answer) {
+ComparedQuantities compared_quantities(const PreparedCase& prepared, const SuiteCase& asked,
+                                       const ProvedAnswer& answer) {
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.kind == ContactKind::worn;
-  const auto reference = mdr_answer(prepared.mdr, mdr_normal_response(prepared.mdr));
+  const auto reference =
+      (asked.with_cycle ? mdr_answer_with_cycle : mdr_answer)(prepared.mdr, mdr_normal_response(prepared.mdr));
   const auto readings = compared_readings_of(reference);
   const auto scales = scales_of(reference, units.length);
   const auto mdr = compared_quantities(readings, scales, units), mdr_errors = uncertainties_of(readings, scales);
   const auto fe = quantities_of(answer.fe, units);
   ComparedQuantities all;
   for (const auto& [quantity, exact] : mdr) {
-    if (traits_of(quantity).refined_for != RefinedFor::any_case) continue;
+    if (traits_of(quantity).refined_for != RefinedFor::any_case && !asked.with_cycle) continue;
     const auto found = fe.find(quantity);
-    const bool may_lack = proof == Proof::bars || (worn && quantity == Quantity::contact_radius_max);
+    const bool may_lack = asked.proof == Proof::bars || (worn && quantity == Quantity::contact_radius_max);
     if (found == fe.end() && may_lack) continue;
     ComparedQuantity compared{exact, found == fe.end() ? std::nan("") : found->second,
                               tolerance_of(prepared.tolerances, quantity), std::nullopt};
     if (const auto error = mdr_errors.find(quantity); error != mdr_errors.end()) compared.mdr_error = error->second;
-    if (proof != Proof::none) take_bar(answer.budget, quantity, compared);
+    if (asked.proof != Proof::none) take_bar(answer.budget, quantity, compared);
     all[quantity] = compared;
   }
   return all;
@@ -66,7 +68,7 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
     row.seconds = answer.seconds;
     row.n_refinements = answer.n_refinements;
     row.n_computations = answer.cost.computations;
-    if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked.proof, answer);
+    if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked, answer);
   } catch (const InputError& error) {
     row.refusal = error.what();
   } catch (const std::exception& error) {

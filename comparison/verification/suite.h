@@ -39,6 +39,7 @@ struct SuiteCase {
   std::string refusal = {};            ///< words of the message that has to come; empty: an answer has to come
   bool must_be_conclusive = false;     ///< no bar may be wider than its tolerance
   Proof proof = Proof::tolerance;      ///< that the finite elements give
+  bool with_cycle = false;             ///< forces and energies of a cycle are compared as well, with MDR's springs
   /// Applied to the case after it was prepared.
   std::function<void(PreparedCase&)> change = {};
   std::shared_ptr<BodyStore> bodies = {};  ///< store with meshes of its own; null: that of the suite

@@ -60,27 +60,31 @@ struct RandomDraw {
 /// A random case, the same for the same draw on every machine. Drawn are
 ///
 ///   lengths 1 nm to 1 m, depths 1e-3 to 0.3 of the contact radius, moduli 1 mPa to 1 TPa, 1e-6 to 1e6 Hz;
-///   every shape with a formula: parabola, cone, r^1.2 to r^8, rounded flat, truncated sphere;
+///   every shape with a formula: parabola, sphere, cone, r^1.2 to r^8, rounded flat, truncated sphere;
+///   half-spaces, and bonded layers of a/H about 0.05 to 3 in a quarter of the motions that soon repeat; Poisson's
+///   ratios of 0 to 0.49 in a quarter;
 ///   every rheology but a table: branches of 0.01 to 100 G0 and omega tau = 1e-3 to 1e3, dashpots up to
 ///   omega eta = 10 G0, fractional orders 0.1 to 1;
 ///   mu = 0.01 to 10; Delta d/d0 = 0, 1e-3 to 1, 1 but for 1e-6, up to 3; any phase, 0 to 1e-6 deg, unlocked;
 ///   tangential amplitudes of nothing, full stick, any stick radius from 1e-4 a to (1 - 1e-6) a, the border of no stick
 ///   to 1e-9, gross slip;
-///   limiting profiles of c/a = 0.25, 0.5 and 0.75 (one body each).
+///   limiting profiles of c/a = 0.25, 0.5 and 0.75 (one body each);
+///   a tenth of the motions that soon repeat under a normal force, a tenth under a tangential one.
 ///
-/// Prescribed forces, and cases that finite elements refuse by name, are not drawn.
+/// Cases that finite elements refuse by name are not drawn.
 Entries random_entries(const RandomDraw& draw);
 
 struct RandomSuiteOptions {
   std::uint64_t seed;
   std::size_t n_cases = 10000;
   std::optional<std::size_t> only = {};  ///< the number of the one case that is to be run, from 0
+  bool with_cycle = false;               ///< see SuiteCase::with_cycle
 };
 
-/// Random cases on one coarse discretisation whose bodies are made once, each with its error bars (Proof::bars) but
-/// without any refinement. Bars may be wider than the tolerance, and are infinite where a coarser computation lacks the
-/// quantity; errors have to be within them. A case that the tool refuses as bad input (InputError) is drawn again, at
-/// most 100 times; nothing else is left out.
+/// Random cases on one coarse discretisation, each with its error bars (Proof::bars) but without any refinement. Bars
+/// may be wider than the tolerance, and are infinite where a coarser computation lacks the quantity; errors have to be
+/// within them. A case that the tool refuses as bad input (InputError) is drawn again, at most 100 times; nothing else
+/// is left out.
 SuiteRun run_random_suite(const RandomSuiteOptions& options);
 
 }  // namespace fretval

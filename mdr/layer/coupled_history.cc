@@ -118,15 +118,20 @@ Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu,
 double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
                            const Eigen::ArrayXd& slip_path, double allowed) {
   constexpr Eigen::Index n_of_parabola = 3;
+  const Eigen::ArrayXd& depth = bed.zone_depth;
   Eigen::Index n = 0;
   while (n < margin.size() && slip_path[n] <= allowed && margin[n] > 0) ++n;
-  if (n == 0) return bed.depth[0] + std::min(0.0, margin[0] / friction_limit);
-  if (n < n_of_parabola) return bed.depth[n - 1] + margin[n - 1] / friction_limit;
+  if (n == 0) return depth[0] + std::min(0.0, margin[0] / friction_limit);
+  // The edge of a flat face is a corner, across which nothing is read.
+  const bool in_flat_face = depth[n - 1] < 0;
+  const auto within = [&](double read) { return in_flat_face ? std::min(read, 0.0) : read; };
+  if (n < n_of_parabola || (depth[n - 3] < 0) != in_flat_face)
+    return within(depth[n - 1] + margin[n - 1] / friction_limit);
   const double m0 = margin[n - 3], m1 = margin[n - 2], m2 = margin[n - 1];
-  const double g0 = bed.depth[n - 3], g1 = bed.depth[n - 2], g2 = bed.depth[n - 1];
+  const double g0 = depth[n - 3], g1 = depth[n - 2], g2 = depth[n - 1];
   // Newton's form at margin 0.
   const double slope = (g2 - g1) / (m2 - m1), bend = (slope - (g1 - g0) / (m1 - m0)) / (m2 - m0);
-  return g2 - m2 * slope + m2 * m1 * bend;
+  return within(g2 - m2 * slope + m2 * m1 * bend);
 }
 
 SpringHistory coupled_history(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,

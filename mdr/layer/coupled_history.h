@@ -19,15 +19,15 @@ SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const 
 Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
-/// g(c) in m from the three outermost of the springs that stick, counted from the axis: the parabola of their depths
-/// over their least friction margins, read where the margin is 0. Over a half-space g is linear in the margin.
-/// Otherwise as stick_depth() of mdr/springs/spring_stick.h.
+/// zone_depth() of c in m from the three outermost of the springs that stick, counted from the axis: the parabola of
+/// their zone depths over their least friction margins, read where the margin is 0. Over a half-space g is linear in
+/// the margin. Otherwise as stick_depth() of mdr/springs/spring_stick.h.
 double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
                            const Eigen::ArrayXd& slip_path, double allowed);
 
 /// spring_history() of mdr/springs/spring_history.h on a layer: the same loading, control and results, with
-/// mdr/layer/coupled_step.h for its step. Depths of stick zones are g(c) of the unworn image, so that the radii are
-/// their inverse_transform(). Loads in states are over E* and G* with the relaxed modulus.
+/// mdr/layer/coupled_step.h for its step. Depths of stick zones are those of the unworn image, so that the radii are
+/// their zone_radius(). Loads in states are over E* and G* with the relaxed modulus.
 SpringHistory coupled_history(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
                               const HistoryControl& control);
 

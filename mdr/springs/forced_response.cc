@@ -76,8 +76,8 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   SteppedForcedResponse stepped{response_with(fineness, 2), {}};
   std::optional<ForcedResponse> coarse;
   if (body.viscosity == 0) coarse = response_with(halved(fineness), 1);
-  const auto extrapolate = [&](auto&& part) {
-    const auto extrapolation = [](double coarser, double finer) { return finer + (finer - coarser) / 3; };
+  const auto extrapolate = [&](auto&& part, double gain = 3) {
+    const auto extrapolation = [gain](double coarser, double finer) { return finer + (finer - coarser) / gain; };
     const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
     part(stepped.response) = now;
     part(stepped.error) =
@@ -90,7 +90,8 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   extrapolate([](auto& r) -> auto& { return r.depths.first_slip; });
   extrapolate([](auto& r) -> auto& { return r.depths.shakedown; });
   extrapolate([](auto& r) -> auto& { return r.largest_indentation; });
-  extrapolate([](auto& r) -> auto& { return r.axis_pressure_max; });
+  extrapolate(
+      [](auto& r) -> auto& { return r.axis_pressure_max; }, axis_pressure_gain(g, outer_radius));
   stepped.response.normal.normal_force_error = stepped.error.normal.normal_force_max;
   extrapolate([](auto& r) -> auto& { return r.tangential_amplitude; });
   extrapolate([](auto& r) -> auto& { return r.tangential_force_max; });

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "mdr/profiles/zone_depth.h"
 #include "mdr/support/checks.h"
 #include "mdr/support/constants.h"
 
@@ -28,12 +29,15 @@ SpringBed spring_bed(const Profile& profile, double outer_radius, Eigen::Index n
     bed.depth[j] = (above - below) / bed.width[j];
     below = above;
   }
+  bed.zone_depth = bed.depth;
+  for (Eigen::Index j = 0; j < n_springs && bed.depth[j] == 0; ++j)
+    bed.zone_depth[j] = zone_depth(profile, bed.position[j]);
   return bed;
 }
 
 SpringBed spring_bed(const std::function<double(double)>& g, double outer_radius, Eigen::Index n_springs) {
   SpringBed bed = equal_intervals(outer_radius, n_springs);
-  bed.depth = bed.position.unaryExpr(g);
+  bed.depth = bed.zone_depth = bed.position.unaryExpr(g);
   return bed;
 }
 

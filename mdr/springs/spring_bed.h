@@ -12,6 +12,8 @@ struct SpringBed {
   Eigen::ArrayXd position;  ///< x of the middle of each spring's interval in m, rising
   Eigen::ArrayXd width;     ///< length of the interval in m
   Eigen::ArrayXd depth;     ///< mean of g over the interval in m
+  /// What tells zones of coupled springs: depth, and within a flat face zone_depth() of mdr/profiles/zone_depth.h.
+  Eigen::ArrayXd zone_depth = {};
 };
 
 /// Weights w of the loads per length q in the pressure on the axis, p(0) = -(1/pi) int q'(x)/x dx = sum(w q), for

@@ -59,6 +59,12 @@ double radius_at_depth(const Depth& g, double depth, double outer_radius) {
   return edge([&](double x) { return depth - g(x); }, 0.0, outer_radius, 50);
 }
 
+// n of g - g(0) ~ x^n at the tip; infinite under a flat face.
+double exponent_at_tip(const Depth& g, double outer_radius) {
+  const double tip = g(0), x = 1e-4 * outer_radius, height = g(2 * x) - tip;
+  return height > 0 ? std::log2(height / (g(x) - tip)) : std::numeric_limits<double>::infinity();
+}
+
 // Sum of integral(from, to) over [lower, upper], cut at the kinks of the profile.
 template <class Integral>
 double sum_between_kinks(const std::vector<double>& kinks, double lower, double upper, const Integral& integral) {
@@ -79,14 +85,18 @@ double rest_depth_integral(const Depth& g, const std::vector<double>& kinks, dou
   });
 }
 
-double bend_integral(const Depth& g, const std::vector<double>& kinks, double radius) {
+// int_0^radius (g - g(0))/x^2 dx.
+double curvature_integral(const Depth& g, const std::vector<double>& kinks, double radius) {
   if (radius == 0) return 0;
   const double tip = g(0);
-  const auto integral = [&](double from, double to) {
+  return sum_between_kinks(kinks, 0, radius, [&](double from, double to) {
     boost::math::quadrature::tanh_sinh<double> quadrature;
     return quadrature.integrate([&](double x) { return (g(x) - tip) / x / x; }, from, to, 1e-10);
-  };
-  return (g(radius) - tip) / radius + sum_between_kinks(kinks, 0, radius, integral);
+  });
+}
+
+double bend_integral(const Depth& g, const std::vector<double>& kinks, double radius) {
+  return radius == 0 ? 0 : (g(radius) - g(0)) / radius + curvature_integral(g, kinks, radius);
 }
 
 Foundation make_foundation(const Depth& g, const std::vector<double>& kinks, double outer_radius, const PronyBody& body,
@@ -122,18 +132,31 @@ double contact_edge(const Foundation& foundation, double theta) {
   return edge(margin, foundation.permanent_radius, foundation.contact_radius, 36);
 }
 
+// Load of the spring at x.
+double load_of_spring(const Foundation& foundation, double theta, double y) {
+  return y > -1 ? spring_force(foundation.model, periodic_spring(foundation.model, y), theta) : 0;
+}
+
 // Contribution of the springs that lose contact now and then: int s dx and int (inner - s)/x^2 dx of their loads s, up
 // to the end of the contact. The substitution x = from + width sin^2(pi s/2) smooths the half-integer powers of the
-// distance to either end.
+// distance to either end. Where they reach to the axis, the part of inner - s that is in proportion to g - g(0) is
+// integrated by itself: over x^2 it has no bound there for f ~ r^n, n < 2.
 Load intermittent_load(const Foundation& foundation, double theta, double inner, double upper) {
   using Gauss = boost::math::quadrature::gauss<double, 30>;
   Load load{0, 0};
+  double slope = 0;  // ds/dy of the spring on the axis
+  const double on_axis = relative_depth(foundation, 0);
+  if (foundation.permanent_radius == 0 && foundation.permanent_bend) {
+    const double step = 1e-4 * (1 + on_axis);
+    slope = (inner - load_of_spring(foundation, theta, on_axis - step)) / step;
+    load.pressure = slope * curvature_integral(foundation.g, foundation.kinks, upper) / foundation.amplitude;
+  }
   const auto add = [&](double from, double to, double s, double weight) {
     const double sine = std::sin(pi * s / 2), width = to - from, x = from + width * sine * sine;
     const double dx = weight / 2 * width * pi / 2 * std::sin(pi * s), y = relative_depth(foundation, x);
-    const double force = y > -1 ? spring_force(foundation.model, periodic_spring(foundation.model, y), theta) : 0;
+    const double force = load_of_spring(foundation, theta, y);
     load.force += force * dx;
-    load.pressure += (inner - force) / (x * x) * dx;
+    load.pressure += (inner - force - slope * (on_axis - y)) / (x * x) * dx;
   };
   sum_between_kinks(foundation.kinks, foundation.permanent_radius, upper, [&](double from, double to) {
     for (std::size_t k = 0; k < Gauss::abscissa().size(); ++k)
@@ -147,8 +170,7 @@ Load load_at(const Foundation& foundation, double angle) {
   const double theta = angle - 2 * pi * std::floor(angle / (2 * pi)), c = foundation.permanent_radius;
   const double edge = std::max(contact_edge(foundation, theta), c), y = relative_depth(foundation, c);
   const double oscillating = harmonic_force(foundation.model, 0, theta);
-  const double inner =
-      c > 0 ? y + oscillating : spring_force(foundation.model, periodic_spring(foundation.model, y), theta);
+  const double inner = c > 0 ? y + oscillating : load_of_spring(foundation, theta, y);
   if (edge == 0) return {0, 0};
   Load load = edge > c ? intermittent_load(foundation, theta, inner, edge) : Load{0, 0};
   load.force += foundation.permanent_volume + c * oscillating;
@@ -214,9 +236,13 @@ void check_arguments(const Depth& g, double outer_radius, const PronyBody& body,
 
 bool has_bounded_axis_pressure(const Depth& g, double outer_radius, const PronyBody& body, bool loses_contact) {
   constexpr double least_exponent = 1 + 1e-3;
-  const double tip = g(0), x = 1e-4 * outer_radius, height = g(2 * x) - tip;
-  const bool has_sharp_tip = height > 0 && std::log2(height / (g(x) - tip)) < least_exponent;
-  return !has_sharp_tip && !(body.viscosity > 0 && loses_contact);
+  return exponent_at_tip(g, outer_radius) >= least_exponent && !(body.viscosity > 0 && loses_contact);
+}
+
+double axis_pressure_gain(const Depth& g, double outer_radius) {
+  constexpr double smooth = 2 - 1e-3;
+  const double exponent = exponent_at_tip(g, outer_radius);
+  return exponent < smooth ? std::exp2(exponent - 1) - 1 : 3;
 }
 
 NormalResponse periodic_normal_response(const std::function<double(double)>& g, double outer_radius,

@@ -33,6 +33,10 @@ struct NormalResponse {
 bool has_bounded_axis_pressure(const std::function<double(double)>& g, double outer_radius, const PronyBody& body,
                                bool loses_contact);
 
+/// By what the error of the axis pressure by stepped springs falls as they become half as wide, less 1: 3, and under
+/// f ~ r^n, n < 2, 2^(n-1) - 1 (see axis_weights).
+double axis_pressure_gain(const std::function<double(double)>& g, double outer_radius);
+
 /// Normal force of the viscoelastic spring foundation under the oscillating indenter:
 ///
 ///   F(t) = 2 int_0^outer q(x,t) dx,   q = 4 int G(t-t') u'(t') dt',   q >= 0,  u >= d(t) - g(x),  q (u - d + g) = 0

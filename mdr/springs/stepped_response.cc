@@ -42,8 +42,9 @@ NormalResponse stepped_normal_response(const std::function<double(double)>& g, d
                           {},
                           fine.normal_force};
   if (has_bounded_axis_pressure(g, outer_radius, body, response.normal_force_min == 0)) {
-    const double pressure = extrapolated(&SpringHistory::axis_pressure, 1);
-    response.axis_pressure = {pressure, 3 * std::abs(pressure - sampled_peak(fine.axis_pressure, 1))};
+    const double read = sampled_peak(fine.axis_pressure, 1);
+    const double step = (read - sampled_peak(coarse.axis_pressure, 1)) / axis_pressure_gain(g, outer_radius);
+    response.axis_pressure = {read + step, 3 * std::abs(step)};
   }
   const auto path = ramped_path(repeating, 1e-9 * repeating.period());
   for (const double time : fine.time) {

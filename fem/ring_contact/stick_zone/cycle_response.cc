@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "fem/motion/running_minimum.h"
+#include "fem/ring_contact/stick_zone/sliding_ends.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
@@ -60,6 +61,14 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   return uncertainty;
 }
 
+/// What a step leaves open in which sliding of the whole contact ends; under a tangential force it does not slide.
+CycleUncertainty uncertainty_of_steps(double friction_coefficient, const Motion& motion, const Eigen::VectorXd& along,
+                                      const NormalHistory& normal, const FrictionHistory& friction) {
+  if (motion.tangential_force) return {};
+  const auto ends = sliding_ends(friction_coefficient, normal, friction, along, !motion.is_single_pass());
+  return {ends.force, ends.mean_force, ends.work, ends.work, ends.work};
+}
+
 double path_to_and_fro(const Motion& motion, double amplitude) {
   return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
 }
@@ -111,6 +120,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
   if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
+  response.of_steps = uncertainty_of_steps(friction_coefficient, motion, along, normal, friction);
   return response;
 }
 
@@ -141,6 +151,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  response.of_steps = uncertainty_of_steps(friction_coefficient, motion, along, normal, friction);
   return response;
 }
 

@@ -6,7 +6,7 @@
 
 namespace fretval::fem {
 
-/// Uncertainties of a CycleResponse from the reading of the rings.
+/// Uncertainties of a CycleResponse.
 struct CycleUncertainty {
   double tangential_force_max, tangential_force_mean, friction_work;
   double cycle_work;  ///< of friction_work + bulk_work
@@ -22,7 +22,8 @@ struct CycleResponse {
   double tangential_work;        ///< area of the tangential loop, `oint F_x du_x`; 0 for a single pass
   double sliding_force;          ///< mu times the largest normal force
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
-  CycleUncertainty uncertainty = {};
+  CycleUncertainty uncertainty = {};  ///< from the reading of the rings
+  CycleUncertainty of_steps = {};     ///< from steps in which sliding of all of the contact ends, see SlidingEnds
 };
 
 /// Area of the normal loop, `oint F_N dd`; for a single pass the work of the normal force.

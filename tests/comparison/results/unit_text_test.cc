@@ -19,6 +19,8 @@ TEST(UnitText, ShowsAsManyDigitsAsTheBarAllows) {
   EXPECT_EQ(with_unit(-9.06e-5, 1.17e-3, "N"), "0 ± 1 mN");
   EXPECT_EQ(with_unit(-3e-10, 7.84e-7, "N"), "0.0 ± 0.8 µN");
   EXPECT_EQ(with_unit(0.11109, 1e-17, "N"), "111.090 mN");
+  EXPECT_EQ(with_unit(3.05e-16, 0, "J"), "305.000 aJ");
+  EXPECT_EQ(with_unit(2.5e-13, 3e-15, "N"), "250 ± 3 fN");
 }
 
 TEST(UnitText, OfAVolumeIsInCubicMillimetres) {

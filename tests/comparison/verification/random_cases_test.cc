@@ -14,7 +14,7 @@ namespace {
 
 TEST(RandomCases, AreReproducibleAndVaried) {
   std::set<std::string> shapes, rheologies;
-  int n_worn = 0, n_free = 0, n_at_rest = 0;
+  int n_worn = 0, n_free = 0, n_at_rest = 0, n_layers = 0, n_compressible = 0, n_normal = 0, n_tangential = 0;
   for (std::size_t k = 0; k < 300; ++k) {
     const auto entries = random_entries({1, k});
     if (k < 20) {
@@ -24,9 +24,17 @@ TEST(RandomCases, AreReproducibleAndVaried) {
     rheologies.insert(entries.at("Elastomer / Rheology"));
     n_worn += entries.count("Wear / State") > 0 ? 1 : 0;
     n_free += entries.at("Motion / Phase") == "free" ? 1 : 0;
-    n_at_rest += entries.at("Motion / Tangential amplitude") == "0" ? 1 : 0;
+    const auto amplitude = entries.find("Motion / Tangential amplitude");
+    n_at_rest += amplitude != entries.end() && amplitude->second == "0" ? 1 : 0;
+    n_layers += static_cast<int>(entries.count("Body / Thickness"));
+    n_compressible += static_cast<int>(entries.count("Elastomer / Poisson ratio"));
+    n_normal += static_cast<int>(entries.count("Motion / Normal force"));
+    n_tangential += static_cast<int>(entries.count("Motion / Tangential force amplitude"));
+    EXPECT_NE(entries.count("Motion / Normal force"), entries.count("Motion / Indentation"));
   }
-  EXPECT_EQ(shapes.size(), 5U);
+  for (const int n : {n_layers, n_compressible}) EXPECT_NEAR(n, 75, 40);
+  for (const int n : {n_normal, n_tangential}) EXPECT_NEAR(n, 30, 20);
+  EXPECT_EQ(shapes.size(), 6U);
   EXPECT_EQ(rheologies.size(), 5U);
   EXPECT_GT(n_worn, 0);
   EXPECT_GT(n_free, 0);

@@ -6,7 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include "mdr/layer/layer_contact.h"
 #include "mdr/layer/layer_stick_radius.h"
+#include "mdr/profiles/zone_depth.h"
 #include "mdr/rheology/compressible.h"
 #include "mdr/stick/stick_radius.h"
 
@@ -51,6 +53,25 @@ TEST(CoupledResponse, OfACompressibleHalfSpaceIsThatOfItsEquivalent) {
   EXPECT_NEAR(direct.normal.normal_force_max / equivalent.normal.normal_force_max, 1, 1e-4);
   EXPECT_NEAR(direct.tangential_force_max / equivalent.tangential_force_max, 1, 1e-4);
   EXPECT_NEAR(direct.friction_work * stretch / equivalent.friction_work, 1, 2e-3);
+}
+
+// On a layer the springs within a flat face do not slip at once, as those of a half-space do: the zones of
+// layer_stick_radii(), which knows no springs.
+TEST(CoupledResponse, ZonesMayEndWithinAFlatFace) {
+  const Layer layer{1.3, 0.5};
+  const Profile profile = truncated_sphere(6, 0.7);
+  const double d = layer_contact(profile, layer, 1).indentation;
+  for (const double pull : {2.2, 2.5, 2.55}) {
+    const Prescribed prescribed{harmonic_motion({d, 0.05 * d, pull * mu * d, 1, 1, 0.9})};
+    const auto [response, error] = coupled_response(profile, layer, elastic(1), mu, prescribed, {60, 90, 8, 1e-7});
+    const StickRadii radii = layer_stick_radii(profile, layer, 1, mu, prescribed);
+    const double first = zone_depth(profile, radii.first_slip.value()),
+                 shakedown = zone_depth(profile, radii.shakedown.value());
+    EXPECT_NEAR(response.depths.first_slip, first, error.depths.first_slip) << pull;
+    EXPECT_NEAR(response.depths.shakedown, shakedown, error.depths.shakedown) << pull;
+    EXPECT_EQ(shakedown<0, pull> 2.4) << "is a case of this test";
+    EXPECT_LT(error.depths.shakedown, 1e-3);
+  }
 }
 
 // What is extrapolated is within its errors of what is exact, for a bed that the errors of are not small.

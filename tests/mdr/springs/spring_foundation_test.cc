@@ -109,8 +109,8 @@ TEST(SpringFoundation, DashpotWithContactLossAgreesWithMarching) {
 
 // f = b r^n on an elastic body, or a flat punch of radius c: p(0) = (4 G/pi) int g'/x dx + 4 G (d - g(c))/(pi c).
 TEST(SpringFoundation, PressureOnTheAxisOfAnElasticBodyHasAClosedForm) {
-  for (const double n : {1.5, 2.0, 3.7})
-    for (const double amplitude : {0.0, 0.1, 0.5}) {
+  for (const double n : {1.1, 1.3, 1.5, 2.0, 3.7})
+    for (const double amplitude : {0.0, 0.1, 0.5}) {  // contact is lost with the last one
       const Profile profile = power_law(0.3, n);
       const double a = contact_radius(profile, 0.2 + amplitude), g = 0.2 + amplitude;
       const double exact = 4 * 3 / pi * n / (n - 1) * g / a;

@@ -42,6 +42,18 @@ TEST(SteppedResponse, IsTheExactOneForOneHarmonic) {
     }
 }
 
+// p(0) = (4 G/pi) n/(n - 1) d/a, which springs come to with the power n - 1 of their width.
+TEST(SteppedResponse, PressureUnderABluntTipIsWithinItsError) {
+  const HarmonicMotion motion{0.2, {{0.05, 2, 0.3}, {0.02, 3, 1.1}}, {{1, 5, 0}}};
+  for (const double n : {1.3, 1.57, 1.9}) {
+    const auto profile = power_law(0.3, n);
+    const double d = maximum_indentation(motion), exact = 4 * 3 / pi * n / (n - 1) * d / inverse_transform(profile, d);
+    const auto pressure = stepped(profile, elastic(3), motion).axis_pressure.value();
+    EXPECT_NEAR(pressure.largest, exact, pressure.error) << n;
+    EXPECT_NEAR(pressure.largest / exact, 1, 3e-3) << n;
+  }
+}
+
 // An elastic body has the static force of every indentation.
 TEST(SteppedResponse, ElasticBodyFollowsTheIndentation) {
   const HarmonicMotion motion{0.2, {{0.05, 2, 0.3}, {0.02, 3, 1.1}}, {{1, 5, 0}}};
