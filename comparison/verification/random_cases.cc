@@ -217,7 +217,7 @@ Entries with_body(RandomNumbers& random, Entries entries, const Scale& scale) {
 }
 
 /// Forces in the place of displacements, in some cases: those of a contact of the size of the scale. Histories under
-/// them, too, go through a long cycle for minutes.
+/// them, too, go through a long cycle for minutes. normal_ratio: |G|/G'(0) Delta d/d0.
 Entries with_forces(RandomNumbers& random, Entries entries, const Scale& scale, double friction, double normal_ratio) {
   const double force = rounded(4 * scale.modulus * scale.length * scale.depth * random.log_uniform(0.2, 2));
   const bool repeats = has_short_cycle(entries), normally = random.chance(0.1) && repeats,
@@ -310,7 +310,7 @@ Entries random_entries(const RandomDraw& draw) {
   entries =
       with_tangential_amplitude(random, entries, 1.5 * friction * scale.depth / stiffening, stiffening * normal_ratio);
   entries = with_harmonic(random, with_harmonic(random, entries, "Normal"), "Tangential");
-  return with_forces(random, with_body(random, entries, scale), scale, friction, normal_ratio);
+  return with_forces(random, with_body(random, entries, scale), scale, friction, stiffening * normal_ratio);
 }
 
 SuiteRun run_random_suite(const RandomSuiteOptions& options) {

@@ -33,8 +33,8 @@ void take_bar(const ErrorBudget& budget, Quantity quantity, ComparedQuantity& co
 /// Values of finite elements beside MDR's. A value that they lack is not a number and fails, except the contact radius
 /// of a worn profile, whose flank touches without pressure, and where nothing is refined, as coarse rings may not show
 /// an edge.
-ComparedQuantities compared_quantities(const PreparedCase& prepared, const SuiteCase& asked,
-                                       const ProvedAnswer& answer) {
+void compare(const PreparedCase& prepared, const ProvedAnswer& answer, SuiteRow& row) {
+  const auto& asked = row.asked;
   const auto& units = prepared.fem.units;
   const bool worn = prepared.fem.kind == ContactKind::worn;
   const auto reference =
@@ -43,7 +43,6 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, const Suite
   const auto scales = scales_of(reference, units.length);
   const auto mdr = compared_quantities(readings, scales, units), mdr_errors = uncertainties_of(readings, scales);
   const auto fe = quantities_of(answer.fe, units);
-  ComparedQuantities all;
   for (const auto& [quantity, exact] : mdr) {
     if (traits_of(quantity).refined_for != RefinedFor::any_case && !asked.with_cycle) continue;
     const auto found = fe.find(quantity);
@@ -53,9 +52,9 @@ ComparedQuantities compared_quantities(const PreparedCase& prepared, const Suite
                               tolerance_of(prepared.tolerances, quantity), std::nullopt};
     if (const auto error = mdr_errors.find(quantity); error != mdr_errors.end()) compared.mdr_error = error->second;
     if (asked.proof != Proof::none) take_bar(answer.budget, quantity, compared);
-    all[quantity] = compared;
+    row.compared[quantity] = compared;
   }
-  return all;
+  row.slides = answer.fe.as<GrossSlipStart>() && reference.as<GrossSlipShare>();
 }
 
 SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threads, const ComputationsDone& told) {
@@ -68,7 +67,7 @@ SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threa
     row.seconds = answer.seconds;
     row.n_refinements = answer.n_refinements;
     row.n_computations = answer.cost.computations;
-    if (row.refusal.empty()) row.compared = compared_quantities(prepared, asked, answer);
+    if (row.refusal.empty()) compare(prepared, answer, row);
   } catch (const InputError& error) {
     row.refusal = error.what();
   } catch (const std::exception& error) {
@@ -146,7 +145,7 @@ std::string failure_of(const SuiteRow& row) {
   if (!row.failure.empty()) return row.failure;
   std::string failure = refusal_failure_of(row);
   if (!failure.empty()) return failure;
-  if (row.asked.refusal.empty() && row.compared.empty()) return "nothing was compared";
+  if (row.asked.refusal.empty() && row.compared.empty() && !row.slides) return "nothing was compared";
   for (const auto& [quantity, compared] : row.compared) {
     failure = failure_of(row.asked, quantity, compared);
     if (!failure.empty()) return failure;

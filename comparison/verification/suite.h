@@ -51,7 +51,8 @@ struct SuiteRow {
   std::string refusal = {};  ///< message of the bad input or of the numerics that came instead of an answer
   std::string failure = {};  ///< message of any other exception, or of MDR
   ComparedQuantities compared = {};
-  double seconds = 0;  ///< see ProvedAnswer
+  bool slides = false;  ///< both methods find that friction does not carry a force, which leaves nothing to compare
+  double seconds = 0;   ///< see ProvedAnswer
   int n_refinements = 0, n_computations = 0;
 };
 
@@ -61,9 +62,9 @@ enum class RowVerdict { agrees, inconclusive, refused, fails };
 const char* name_of(RowVerdict verdict);
 
 /// Why a row fails; empty: it does not. It fails with a refusal that is not expected, without the one that is or with
-/// another one, with any other exception, without anything compared, with a number that is not finite, with an error
-/// above its bar (above its tolerance where no bar was asked for), with an infinite bar although it was to meet the
-/// tolerance, and with a bar that is wider than its tolerance where the case has to be conclusive.
+/// another one, with any other exception, without anything compared (unless it slides), with a number that is not
+/// finite, with an error above its bar (above its tolerance where no bar was asked for), with an infinite bar although
+/// it was to meet the tolerance, and with a bar that is wider than its tolerance where the case has to be conclusive.
 std::string failure_of(const SuiteRow& row);
 
 RowVerdict verdict_of(const SuiteRow& row);

@@ -82,6 +82,9 @@ TEST(SuiteRow, AcceptsARefusalOnlyWhereItIsExpected) {
 
 TEST(SuiteRow, FailsWithoutAnyNumberOrWithAnotherException) {
   EXPECT_EQ(failure_of(SuiteRow{}), "nothing was compared");
+  SuiteRow sliding;
+  sliding.slides = true;
+  EXPECT_EQ(failure_of(sliding), "");
   auto row = row_of(1e-3, 2e-3);
   row.failure = "std::bad_alloc";
   EXPECT_EQ(verdict_of(row), RowVerdict::fails);
