@@ -7,6 +7,7 @@
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 #include "tests/comparison/fake_numerics.h"
+#include "tests/comparison/some_cycle.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval {
@@ -74,6 +75,28 @@ TEST(ErrorBars, HaveWhatAHalfSpaceLeavesOpenOfTheEdges) {
   computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
   const auto bars = error_bars(prepared, {resolution, {}}, computed, Borders::left_out);
   EXPECT_NEAR(bars.at(Quantity::contact_radius_max).total(), 1e-5, 1e-15);
+}
+
+// Energies are over what sliding would cost, 1e-4 J here, and the largest force over itself.
+TEST(ErrorBars, HaveWhatInstantsWithinAStepLeaveOpenOfACycle) {
+  const auto prepared = prepared_of("parabola-elastic-90");
+  const auto& resolution = prepared.fem.resolution;
+  Computations computed(
+      prepared.fem.units,
+      [&](const Resolution& r) {
+        auto answer = FakeNumerics{30, 2}(prepared.fem, r);
+        answer.cycle = some_cycle({0.5, 0, 2e-5, 0, 2e-5});
+        answer.cycle->of_steps = {{Quantity::tangential_force_max, 1e-3}, {Quantity::friction_work, 3e-8}};
+        return answer;
+      },
+      1);
+  computed.compute(needed_for_bars({resolution, {}}, needs_of(prepared.fem)));
+  const auto bars = error_bars(prepared, {resolution, {}}, computed, Borders::left_out);
+  const auto& of_force = bars.at(Quantity::tangential_force_max);
+  EXPECT_NEAR(of_force.total(), 2e-3, 1e-12);
+  EXPECT_EQ(of_force.largest()->source, ErrorSource::time_step);
+  EXPECT_NEAR(bars.at(Quantity::friction_work).total(), 3e-4, 1e-12);
+  EXPECT_EQ(bars.at(Quantity::tangential_force_mean).total(), 0);
 }
 
 TEST(ErrorBars, CoverTheErrorsThatAreThere) {
