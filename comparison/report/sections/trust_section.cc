@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -32,7 +33,9 @@ std::string changed(const ordered_json& all, const char* key) {
   const auto found = all.find(key);
   if (found == all.end()) return "–";
   const auto [value, bar] = change_of(*found);
-  return std::abs(value) > bar ? fmt::format("{:+.3g} ± {:.2g} %", value, bar) : fmt::format("within {:.2g} %", bar);
+  if (std::abs(value) <= bar) return fmt::format("within {:.2g} %", bar);
+  const int decimals = bar > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(bar))), 0, 6) : 3;
+  return fmt::format("{:+.{}f} ± {:.{}f} %", value, decimals, bar, decimals);
 }
 
 /// Each assumption that is dropped, what they do together beyond that, and the whole, from MDR's value on.

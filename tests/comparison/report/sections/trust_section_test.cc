@@ -72,7 +72,7 @@ TEST(TrustSection, ShowsTheZonesBesideThoseOfMdr) {
 TEST(TrustSection, IsFilledIn) {
   const auto html = rendered(trust_section(made_up_trust()));
   expect_parts(html, {"How far MDR can be trusted: rig", "11 % too small", "a layer 2 mm thick", "finite strains",
-                      "800.000 µm", "900 ± 1 µm", "+12.5 ± 0.13 %", "Roache"});
+                      "800.000 µm", "900 ± 1 µm", "+12.5 ± 0.1 %", "Roache"});
 }
 
 TEST(TrustSection, SaysSoWithoutAContact) {
