@@ -132,7 +132,7 @@ double contact_edge(const Foundation& foundation, double theta) {
   return edge(margin, foundation.permanent_radius, foundation.contact_radius, 36);
 }
 
-// Load of the spring at x.
+// Load of the spring of that relative depth; none where the indenter never touches it.
 double load_of_spring(const Foundation& foundation, double theta, double y) {
   return y > -1 ? spring_force(foundation.model, periodic_spring(foundation.model, y), theta) : 0;
 }
