@@ -70,9 +70,9 @@ class CoupledSprings {
     return dissipation(bed_, body_, mu_, dt_, before, after);
   }
 
-  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path,
-                                   double allowed) const {
-    return coupled_stick_depth(bed_.springs, friction_limit(), margin, slip_path, allowed);
+  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& /*slip_path*/,
+                                   double /*allowed*/) const {
+    return coupled_stick_depth(bed_.springs, friction_limit(), margin);
   }
 
  private:
@@ -115,12 +115,13 @@ Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu,
                                      after.tangential_shift - before.tangential_shift)};
 }
 
-double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
-                           const Eigen::ArrayXd& slip_path, double allowed) {
+double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin) {
   constexpr Eigen::Index n_of_parabola = 3;
+  constexpr double roundoff = 1e-12;
   const Eigen::ArrayXd& depth = bed.zone_depth;
+  const double none = roundoff * margin.abs().maxCoeff();
   Eigen::Index n = 0;
-  while (n < margin.size() && slip_path[n] <= allowed && margin[n] > 0) ++n;
+  while (n < margin.size() && margin[n] > none) ++n;
   if (n == 0) return depth[0] + std::min(0.0, margin[0] / friction_limit);
   // The edge of a flat face is a corner, across which nothing is read.
   const bool in_flat_face = depth[n - 1] < 0;

@@ -92,10 +92,10 @@ TEST(CoupledHistory, KnowsDashpots) {
 TEST(CoupledHistory, ReadsTheEdgeOffTheMargins) {
   const SpringBed bed = spring_bed(parabola(1), 1, 40);
   const double edge = 0.43;
-  const Eigen::ArrayXd rest = edge - bed.depth, slip = (rest < 0).select(1.0, Eigen::ArrayXd::Zero(40));
-  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0.9 * rest, slip, 0), edge, 1e-14);         // a half-space's
-  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, rest + rest * rest, slip, 0), edge, 3e-4);  // of a layer, third order
-  EXPECT_LE(coupled_stick_depth(bed, 0.9, rest - 1, slip + 1, 0), bed.depth[0]);
+  const Eigen::ArrayXd rest = edge - bed.depth;
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0.9 * rest), edge, 1e-14);         // a half-space's
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, rest + rest * rest), edge, 3e-4);  // of a layer, third order
+  EXPECT_LE(coupled_stick_depth(bed, 0.9, rest - 1), bed.depth[0]);
 }
 
 }  // namespace
