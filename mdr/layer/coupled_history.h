@@ -28,7 +28,8 @@ double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Ei
 
 /// spring_history() of mdr/springs/spring_history.h on a layer: the same loading, control and results, with
 /// mdr/layer/coupled_step.h for its step. Depths of stick zones are those of the unworn image, so that the radii are
-/// their zone_radius(). Loads in states are over E* and G* with the relaxed modulus.
+/// their zone_radius(); settling_depth is depths.shakedown, as both are read from margins alone. Loads in states are
+/// over E* and G* with the relaxed modulus.
 SpringHistory coupled_history(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
                               const HistoryControl& control);
 
