@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparison/accuracy/fe_readings.h"
 #include "fem/support/constants.h"
@@ -188,17 +189,43 @@ void carry_calibration(const FemCase& fem, const Computation& computation, Error
   if (calibration > 0 && found != budget.end()) found->second.add(ErrorSource::edge, calibration / fem.units.length);
 }
 
-/// Adds what instants within a step leave open of a cycle, which steps that are half as long may miss by as much.
-void carry_instants(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
-  if (!computation.fe.cycle) return;
+/// What steps within which sliding ends put the quantities off by.
+Quantities off_by_steps(const FemCase& fem, const Computation& computation) {
+  Quantities all;
+  if (!computation.failure.empty() || !computation.fe.cycle) return all;
   const auto readings = readings_of(computation.fe, fem.units);
   const auto scales = scales_of(computation.fe, fem.units);
-  for (const auto& [quantity, uncertainty] : computation.fe.cycle->of_steps) {
-    const auto bar = budget.find(quantity);
-    if (bar == budget.end() || uncertainty == 0) continue;
-    const double value = readings.at(quantity).value.value_or(0);
-    bar->second.add(ErrorSource::time_step, uncertainty / scale_of(quantity, scales, value));
-  }
+  for (const auto& [quantity, off] : computation.fe.cycle->off_by_steps)
+    if (const auto found = readings.find(quantity); found != readings.end() && off != 0)
+      all[quantity] = off / scale_of(quantity, scales, found->second.value.value_or(0));
+  return all;
+}
+
+/// The quantities by resolution without that, which would hide the order in which they converge. Of a body with memory
+/// it is a bound alone: what is locked in fades.
+std::map<Resolution, Quantities> converging_quantities(const FemCase& fem, const Computations& computed) {
+  auto all = computed.quantities();
+  if (fem.relaxation.has_memory()) return all;
+  for (auto& [resolution, quantities] : all)
+    for (const auto& [quantity, off] : off_by_steps(fem, computed.at(resolution)))
+      if (const auto found = quantities.find(quantity); found != quantities.end()) found->second -= off;
+  return all;
+}
+
+void carry_off_by_steps(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
+  for (const auto& [quantity, off] : off_by_steps(fem, computation))
+    if (const auto bar = budget.find(quantity); bar != budget.end())
+      bar->second.add(ErrorSource::time_step, std::abs(off));
+}
+
+/// A relative bar of the whole value leaves open whether there is anything. In logarithms nothing is infinitely far
+/// away.
+void carry_unknown_sizes(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
+  if (!computation.failure.empty()) return;
+  const auto scales = scales_of(computation.fe, fem.units);
+  for (auto& [quantity, bar] : budget)
+    if (is_relative(quantity, scales) && bar.total() >= 1)
+      bar.add(bar.largest()->source, std::numeric_limits<double>::infinity());
 }
 
 /// Adds the shares of stick radii that differences between resolutions do not show.
@@ -244,18 +271,20 @@ std::vector<Resolution> needed_for_bars(const Tracks& tracks, const CaseNeeds& n
 ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const Computations& computed,
                        Borders borders, BarShares shares) {
   ErrorBudget all;
+  const auto converging = converging_quantities(prepared.fem, computed);
   for (const auto& resolution : tracks.all()) {
     const Track track{prepared, computed, resolution};
     const auto needs = needs_of(prepared.fem, computed.at(resolution));
-    auto bars = error_budget(resolution, variants_of(resolution, needs, shares), computed.quantities(),
+    auto bars = error_budget(resolution, variants_of(resolution, needs, shares), converging,
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
     carry_calibration(prepared.fem, computed.at(resolution), bars);
-    if (shares != BarShares::of_rings) carry_instants(prepared.fem, computed.at(resolution), bars);
+    if (shares != BarShares::of_rings) carry_off_by_steps(prepared.fem, computed.at(resolution), bars);
     if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);
     }
+    carry_unknown_sizes(prepared.fem, computed.at(resolution), bars);
     for (const auto& [quantity, bar] : bars)
       if (tracks.of(quantity) == resolution) all[quantity] = bar;
   }

@@ -197,11 +197,15 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   const auto stuck = fem::stuck_rings(friction, fem.motion);
   answer.rings = {largest_contact_rings(normal), stuck};
   auto zones = fem::stick_zones(problem.compliance, friction, stuck);
-  if (fem.kind == ContactKind::worn)
+  auto& [first, shakedown] = zones;
+  if (fem.kind == ContactKind::worn) {
     answer.of_kind = read_worn(problems, fem, profile, normal, friction, stuck, zones);
-  else
-    answer.of_kind = stick_depths(problem.series, fem, friction, answer.rings);
-  const auto& [first, shakedown] = zones;
+  } else {
+    const auto discs = stick_depths(problem.series, fem, friction, answer.rings);
+    if (fem::sticks_nowhere(discs.first_slip_depths)) first.uncertainty = 0;
+    if (fem::sticks_nowhere(discs.shakedown_depths)) shakedown.uncertainty = 0;
+    answer.of_kind = discs;
+  }
 
   read_normal_response(problems, fem, contact_radius, normal, answer);
   const double length = fem.units.length;

@@ -13,7 +13,7 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
   const double force = fem.units.force(), work = force * fem.units.depth;
   const auto& uncertain = cycle.uncertainty;
   const double friction_error = uncertain.friction_work * work, loss_error = uncertain.cycle_work * work;
-  const auto& steps = cycle.of_steps;
+  const auto& off = cycle.off_by_steps;
   return CycleReadings{
       {{Quantity::tangential_force_max, {cycle.tangential_force_max * force, uncertain.tangential_force_max * force}},
        {Quantity::tangential_force_mean,
@@ -24,12 +24,12 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
        {Quantity::tangential_work, {cycle.tangential_work * work, uncertain.tangential_work * work}}},
       cycle.sliding_force * force,
       cycle.sliding_work * work,
-      {{Quantity::tangential_force_max, steps.tangential_force_max * force},
-       {Quantity::tangential_force_mean, steps.tangential_force_mean * force},
-       {Quantity::friction_work, steps.friction_work * work},
-       {Quantity::bulk_work, (steps.cycle_work + steps.friction_work) * work},
-       {Quantity::cycle_work, steps.cycle_work * work},
-       {Quantity::tangential_work, steps.tangential_work * work}}};
+      {{Quantity::tangential_force_max, off.tangential_force_max * force},
+       {Quantity::tangential_force_mean, off.tangential_force_mean * force},
+       {Quantity::friction_work, off.work * work},
+       {Quantity::bulk_work, off.work * work},
+       {Quantity::cycle_work, off.work * work},
+       {Quantity::tangential_work, off.work * work}}};
 }
 
 CycleReadings cycle_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {

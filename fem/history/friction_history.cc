@@ -12,6 +12,7 @@
 #include "fem/history/scatter.h"
 #include "fem/ring_contact/friction_force.h"
 #include "fem/ring_contact/pressure_for_friction.h"
+#include "fem/ring_contact/sliding_ends.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -360,6 +361,9 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
   history.n_steps = contact.n_steps;
   friction.first_slip.report(history);
   friction.period.hand_over(contact.problem(), history);
+  history.force_off_by_steps =
+      force_off_by_sliding_ends(contact.problem().series, friction.period.depths(), friction.period.limit_depths(),
+                                !contact.motion().is_single_pass());
   way.report_forces();
   history.amplitude = friction.period.amplitude(contact.motion());
   history.slip_of_periods = std::move(friction.slip_of_periods);
@@ -400,7 +404,8 @@ FrictionHistory friction_at_rest(const ContactProblem& problem, double friction_
   history.first_slip_reserve = since_start.value();
   history.shakedown_reserve = last_cycle.value();
   history.slip_path = history.period_slip = history.friction_work = Eigen::VectorXd::Zero(n);
-  history.force = history.force_uncertainty = history.indenter = Eigen::VectorXd::Zero(n_steps);
+  history.force = history.force_uncertainty = history.force_off_by_steps = history.indenter =
+      Eigen::VectorXd::Zero(n_steps);
   history.traction = history.displacement = Eigen::MatrixXd::Zero(n, n_steps);
   return history;
 }

@@ -26,6 +26,7 @@ struct FrictionHistory {
   Eigen::VectorXd period_slip;         ///< per ring: length of slip in the last period
   Eigen::VectorXd force;               ///< per step of the last period; see PunchSeries
   Eigen::VectorXd force_uncertainty;   ///< of force, see FrictionForce
+  Eigen::VectorXd force_off_by_steps;  ///< per step of the last period, see force_off_by_sliding_ends
   Eigen::MatrixXd displacement;        ///< of the rings, per step of the last period, at the balance times
   Eigen::VectorXd indenter;            ///< displacement of the indenter, per step of the last period
   double amplitude = 0;                ///< of the indenter; under a force half the range of its displacement
@@ -58,7 +59,8 @@ class FrictionPeriod {
   [[nodiscard]] double amplitude(const Motion& motion) const;
   [[nodiscard]] const Eigen::MatrixXd& traction() const { return traction_; }
   [[nodiscard]] const Eigen::VectorXd& slip() const { return slip_; }
-  /// FrictionContact::limit_depths, a column for each step.
+  /// Depths of the traction and FrictionContact::limit_depths, a column for each step.
+  [[nodiscard]] const Eigen::MatrixXd& depths() const { return depths_; }
   [[nodiscard]] const Eigen::MatrixXd& limit_depths() const { return limit_depths_; }
 
  private:

@@ -70,9 +70,8 @@ class CoupledSprings {
     return dissipation(bed_, body_, mu_, dt_, before, after);
   }
 
-  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& /*slip_path*/,
-                                   double /*allowed*/) const {
-    return coupled_stick_depth(bed_.springs, friction_limit(), margin);
+  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
+    return coupled_stick_depth(bed_.springs, friction_limit(), margin, slip.path[0] / slip.n_ways);
   }
 
  private:
@@ -115,14 +114,15 @@ Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu,
                                      after.tangential_shift - before.tangential_shift)};
 }
 
-double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin) {
+double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
+                           double slip_of_innermost) {
   constexpr Eigen::Index n_of_parabola = 3;
   constexpr double roundoff = 1e-12;
   const Eigen::ArrayXd& depth = bed.zone_depth;
   const double none = roundoff * margin.abs().maxCoeff();
   Eigen::Index n = 0;
   while (n < margin.size() && margin[n] > none) ++n;
-  if (n == 0) return depth[0] + std::min(0.0, margin[0] / friction_limit);
+  if (n == 0) return depth[0] - slip_of_innermost / friction_limit;
   // The edge of a flat face is a corner, across which nothing is read.
   const bool in_flat_face = depth[n - 1] < 0;
   const auto within = [&](double read) { return in_flat_face ? std::min(read, 0.0) : read; };

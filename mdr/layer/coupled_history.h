@@ -23,8 +23,10 @@ Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu,
 /// their zone depths over their least friction margins, read where the margin is 0. Over a half-space g is linear in
 /// the margin. Springs stick as long as their margins are positive, whatever they still slip while they settle: slip to
 /// one side takes from one margin what it gives to the other, and the shakedown depth is read from the mean of both.
-/// margin: as for stick_depth() of mdr/springs/spring_stick.h.
-double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin);
+/// margin: as for stick_depth() of mdr/springs/spring_stick.h. slip_of_innermost: how far the innermost spring slips
+/// one way, m, which tells the depth where no spring sticks, as there.
+double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Eigen::ArrayXd& margin,
+                           double slip_of_innermost);
 
 /// spring_history() of mdr/springs/spring_history.h on a layer: the same loading, control and results, with
 /// mdr/layer/coupled_step.h for its step. Depths of stick zones are those of the unworn image, so that the radii are

@@ -34,9 +34,8 @@ class CoupledAlongPath {
   [[nodiscard]] Dissipation heat(double dt, const SpringState& before, const SpringState& after) const {
     return dissipation(bed_, body_, mu_, dt, before, after);
   }
-  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& /*slip_path*/,
-                                   double /*allowed*/) const {
-    return coupled_stick_depth(bed_.springs, friction_limit(), margin);
+  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
+    return coupled_stick_depth(bed_.springs, friction_limit(), margin, slip.path[0] / slip.n_ways);
   }
 
  private:

@@ -68,7 +68,7 @@ struct LeastMargins {
 ///   const SpringBed& bed()
 ///   SpringForces forces(state, by_force)   on the indenter; by_force: of a normal force that whole springs balance
 ///   Dissipation heat(dt, before, after)    of one step
-///   double stick_depth(margin, slip_path, allowed)   see mdr/springs/spring_stick.h
+///   double stick_depth(margin, slip)       see mdr/springs/spring_stick.h
 template <class Foundation>
 class PathHistory {
  public:
@@ -206,13 +206,13 @@ class PathHistory {
   void finish(SpringHistory& result, const LeastMargins& margins) const {
     const Eigen::ArrayXd first = first_slip_.forward.min(first_slip_.backward),
                          shakedown = (margins.forward + margins.backward) / 2;
-    const auto depth = [&](const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path, double allowed) {
-      return springs_.stick_depth(margin, slip_path, allowed * largest_shift_);
-    };
-    result.depths.first_slip = depth(first, first_slip_.slip_path, never_slipped);
+    result.depths.first_slip = springs_.stick_depth(first, {first_slip_.slip_path, never_slipped * largest_shift_, 1});
     if (path_.repeats) {
-      result.depths.shakedown = depth(shakedown, margins.slip_path, shaken_down);
-      result.settling_depth = depth(shakedown, margins.slip_path, settling_slip);
+      const auto depth = [&](double allowed) {
+        return springs_.stick_depth(shakedown, {margins.slip_path, allowed * largest_shift_, to_and_fro});
+      };
+      result.depths.shakedown = depth(shaken_down);
+      result.settling_depth = depth(settling_slip);
     }
     result.largest_shift = largest_shift_;
     result.slip_amplitude = margins.slip_path;

@@ -49,9 +49,8 @@ class IndependentSprings {
     return dissipation(bed_, body_, mu_, dt_, before, after);
   }
 
-  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const Eigen::ArrayXd& slip_path,
-                                   double allowed) const {
-    return mdr::stick_depth(bed_, mu_, margin, slip_path, allowed);
+  [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
+    return mdr::stick_depth(bed_, mu_, margin, slip);
   }
 
  private:

@@ -85,7 +85,7 @@ struct Margins {
 ///   double friction_limit()                mu E*/G*: largest tangential load over the normal one
 ///   SpringForces forces(state)             on the indenter
 ///   Dissipation heat(before, after)        of one step
-///   double stick_depth(margin, slip_path, allowed)   see mdr/springs/spring_stick.h
+///   double stick_depth(margin, slip)       see mdr/springs/spring_stick.h
 ///
 /// All of them const: what a foundation remembers is in the state.
 template <class Foundation>
@@ -209,10 +209,13 @@ class SteppedHistory {
     const Eigen::ArrayXd first = first_slip_.forward.value().min(first_slip_.backward.value());
     const Eigen::ArrayXd shakedown = (margins.forward.value() + margins.backward.value()) / 2;
     result.depths.first_slip = control_.watches_first_slip
-                                   ? foundation_.stick_depth(first, slip_path_, never_slipped * largest_shift_)
+                                   ? foundation_.stick_depth(first, {slip_path_, never_slipped * largest_shift_, 1})
                                    : std::nan("");
-    result.depths.shakedown = foundation_.stick_depth(shakedown, result.slip_amplitude, shaken_down * largest_shift_);
-    result.settling_depth = foundation_.stick_depth(shakedown, result.slip_amplitude, settling_slip * largest_shift_);
+    const auto depth = [&](double allowed) {
+      return foundation_.stick_depth(shakedown, {result.slip_amplitude, allowed * largest_shift_, to_and_fro});
+    };
+    result.depths.shakedown = depth(shaken_down);
+    result.settling_depth = depth(settling_slip);
     result.largest_shift = largest_shift_;
     result.last = state_;
   }

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "fem/motion/running_minimum.h"
-#include "fem/ring_contact/stick_zone/sliding_ends.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
@@ -61,12 +60,19 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   return uncertainty;
 }
 
-/// What a step leaves open in which sliding of the whole contact ends; under a tangential force it does not slide.
-CycleUncertainty uncertainty_of_steps(double friction_coefficient, const Motion& motion, const Eigen::VectorXd& along,
-                                      const NormalHistory& normal, const FrictionHistory& friction) {
-  if (motion.tangential_force) return {};
-  const auto ends = sliding_ends(friction_coefficient, normal, friction, along, !motion.is_single_pass());
-  return {ends.force, ends.mean_force, ends.work, ends.work, ends.work};
+/// With a dashpot what is locked in fades at once. Prescribed forces are known: under them it is the displacements that
+/// are off, by as much work.
+CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion, const FrictionHistory& friction) {
+  if (relaxation.viscosity > 0) return {};
+  const auto& off = friction.force_off_by_steps;
+  const auto n = off.size();
+  double work = 0;
+  for (Eigen::Index k = motion.is_single_pass() ? 1 : 0; k < n; ++k)
+    work += off[k] * (friction.indenter[k] - friction.indenter[(k + n - 1) % n]);
+  if (motion.tangential_force) return {0, 0, work};
+  Eigen::Index largest = 0;
+  friction.force.cwiseAbs().maxCoeff(&largest);
+  return {friction.force[largest] < 0 ? -off[largest] : off[largest], off.mean(), work};
 }
 
 double path_to_and_fro(const Motion& motion, double amplitude) {
@@ -120,7 +126,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
   if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
-  response.of_steps = uncertainty_of_steps(friction_coefficient, motion, along, normal, friction);
+  response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
 }
 
@@ -151,7 +157,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
-  response.of_steps = uncertainty_of_steps(friction_coefficient, motion, along, normal, friction);
+  response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
 }
 

@@ -13,6 +13,13 @@ struct CycleUncertainty {
   double tangential_work;
 };
 
+/// By how much steps within which sliding ends put a CycleResponse off, see force_off_by_sliding_ends: what was
+/// computed less what small steps give.
+struct CycleOffset {
+  double tangential_force_max = 0, tangential_force_mean = 0;
+  double work = 0;  ///< of tangential_work, friction_work and what is lost altogether
+};
+
 /// Forces and works that drive a locked motion through a cycle of the periodic state. Dimensionless.
 struct CycleResponse {
   double tangential_force_max;   ///< of |F_x|
@@ -23,7 +30,7 @@ struct CycleResponse {
   double sliding_force;          ///< mu times the largest normal force
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   CycleUncertainty uncertainty = {};  ///< from the reading of the rings
-  CycleUncertainty of_steps = {};     ///< from steps in which sliding of all of the contact ends, see SlidingEnds
+  CycleOffset off_by_steps = {};
 };
 
 /// Area of the normal loop, `oint F_N dd`; for a single pass the work of the normal force.

@@ -28,6 +28,11 @@ StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, 
   return depths;
 }
 
+bool sticks_nowhere(const StickDepths& depths) {
+  const auto& depth = depths.depth;
+  return depth.size() > 1 && depth[0] + 2 * (depth[0] - depth[1]) < 0;
+}
+
 double reach_of_edge(const StickDepths& depths, double c, double uncertainty) {
   return std::max({c - crossing(depths, uncertainty), crossing(depths, -uncertainty) - c, 0.0});
 }

@@ -24,6 +24,11 @@ struct StickDepths {
 StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, double tangential_per_depth,
                          double amplitude);
 
+/// Whether not even a spot inside the innermost ring sticks: whether its depth would still be below 0 if the depths
+/// rose to the centre by twice what they fall by to the next ring. Under r^n they rise by 1/(3^n - 1) of that, 1.4
+/// times for n = 1/2.
+bool sticks_nowhere(const StickDepths& depths);
+
 /// How far the edge of the stick zone may lie from c if all depths are off by `uncertainty`: the larger distance from c
 /// to the radii at which they fall to it and to minus it. Under a flat face g hardly changes, and a small depth decides
 /// whether all of the face sticks or nothing. Where the depths end before, the edge may be that of the contact, 1.

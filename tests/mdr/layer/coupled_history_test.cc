@@ -93,9 +93,9 @@ TEST(CoupledHistory, ReadsTheEdgeOffTheMargins) {
   const SpringBed bed = spring_bed(parabola(1), 1, 40);
   const double edge = 0.43;
   const Eigen::ArrayXd rest = edge - bed.depth;
-  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0.9 * rest), edge, 1e-14);         // a half-space's
-  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, rest + rest * rest), edge, 3e-4);  // of a layer, third order
-  EXPECT_LE(coupled_stick_depth(bed, 0.9, rest - 1), bed.depth[0]);
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0.9 * rest, 0), edge, 1e-14);         // a half-space's
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, rest + rest * rest, 0), edge, 3e-4);  // of a layer, third order
+  EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0 * rest, 0.45), bed.depth[0] - 0.5, 1e-15) << "none sticks";
 }
 
 }  // namespace

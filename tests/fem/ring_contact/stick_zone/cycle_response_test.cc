@@ -26,6 +26,7 @@ Sampled sampled(int n_steps) {
   s.normal.force_beyond = s.normal.force_beyond_uncertainty = Eigen::VectorXd::Zero(n_steps);
   s.normal.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.003);
   s.friction.force_uncertainty = Eigen::VectorXd::Constant(n_steps, 0.002);
+  s.friction.force_off_by_steps = Eigen::VectorXd::Zero(n_steps);
   s.friction.dissipated_uncertainty = 1e-4;
   s.friction.n_steps = 21L * n_steps;
   s.friction.amplitude = 0.1;
@@ -80,6 +81,30 @@ TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
   EXPECT_EQ(prescribed.tangential_force_max, 0);
 }
 
+// A force that is too large by 0.01 while it pulls forward and by 0.03 while it pulls back, and lags by nothing.
+TEST(CycleResponse, IsOffByWhatStepsLockIn) {
+  auto s = sampled(360);
+  for (Eigen::Index k = 0; k < 360; ++k) {
+    const double t = s.normal.time[k] + 0.7;
+    s.friction.force[k] = 0.4 * std::cos(t);
+    s.friction.force_off_by_steps[k] = std::sin(t) < 0 ? 0.01 : -0.03;
+  }
+  const RelaxationModel elastic{1, {}, {}, 0};
+  const auto off = cycle_response(elastic, 0.5, s.motion, 2.6, s.normal, s.friction).off_by_steps;
+  EXPECT_NEAR(off.work, 2 * 0.1 * (0.01 + 0.03), 1e-4);
+  EXPECT_NEAR(off.tangential_force_mean, -0.01, 1e-3);
+  s.friction.force[100] = -0.5;
+  s.friction.force_off_by_steps[100] = -0.02;
+  EXPECT_EQ(cycle_response(elastic, 0.5, s.motion, 2.6, s.normal, s.friction).off_by_steps.tangential_force_max, 0.02);
+  const auto dashpot = cycle_response({1, {}, {}, 0.1}, 0.5, s.motion, 2.6, s.normal, s.friction).off_by_steps;
+  EXPECT_EQ(dashpot.work, 0) << "fades at once";
+  s.motion.tangential_force = true;
+  const auto known = cycle_response(elastic, 0.5, s.motion, 2.6, s.normal, s.friction).off_by_steps;
+  EXPECT_EQ(known.tangential_force_max, 0);
+  EXPECT_EQ(known.tangential_force_mean, 0);
+  EXPECT_NEAR(known.work, 2 * 0.1 * (0.01 + 0.03), 2e-3);
+}
+
 TEST(CycleResponse, FindsTheExtremeBetweenTheSteps) {
   const auto s = sampled(36);
   const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
@@ -112,9 +137,9 @@ TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
       FrictionHistory friction;
       normal.pieces = steps_of(path, 60);
       const auto n = static_cast<Eigen::Index>(normal.pieces.size());
-      for (auto* series :
-           {&normal.force, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
-            &normal.force_beyond_uncertainty, &friction.force, &friction.indenter, &friction.force_uncertainty})
+      for (auto* series : {&normal.force, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
+                           &normal.force_beyond_uncertainty, &friction.force, &friction.indenter,
+                           &friction.force_uncertainty, &friction.force_off_by_steps})
         series->setZero(n);
       for (Eigen::Index k = 0; k < n; ++k) {
         auto& step = normal.pieces[static_cast<std::size_t>(k)];

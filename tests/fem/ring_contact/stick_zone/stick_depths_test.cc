@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fretval::fem::stick_depths_test {
 namespace {
 
@@ -22,6 +24,23 @@ TEST(StickDepths, CarryADepthToTheRadius) {
   flat.depth.array() -= 2e-4;
   EXPECT_GT(reach_of_edge(flat, 0, 1e-3), 0.5);
   EXPECT_EQ(reach_of_edge(flat, 0, 1e-5), 0);
+}
+
+// A cone whose depth at the centre is small: rings end at 0.1 and 0.3.
+TEST(StickDepths, TellWhetherASpotInsideTheFirstRingMayStick) {
+  const auto cone = [](double at_centre) {
+    return StickDepths{Eigen::Vector2d(at_centre - 0.1, at_centre - 0.3), Eigen::Vector2d(0.1, 0.3)};
+  };
+  EXPECT_FALSE(sticks_nowhere(cone(0.01))) << "a spot sticks";
+  EXPECT_TRUE(sticks_nowhere(cone(-0.31)));
+  EXPECT_FALSE(sticks_nowhere({Eigen::VectorXd::Constant(1, -1), Eigen::VectorXd::Constant(1, 0.1)}));
+  for (const double n : {0.5, 1.0, 2.0, 8.0}) {  // something always sticks, up to the middle of the first ring
+    const auto g = [n](double r) { return std::pow(r, n); };
+    for (const double centre : {1e-3, 0.5, 0.999})
+      EXPECT_FALSE(sticks_nowhere(
+          {Eigen::Vector2d(centre * g(0.1) - g(0.1), centre * g(0.1) - g(0.3)), Eigen::Vector2d(0.1, 0.3)}))
+          << n;
+  }
 }
 
 TEST(StickDepths, ComeFromReservesAndSlip) {
