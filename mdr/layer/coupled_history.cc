@@ -63,7 +63,8 @@ class CoupledSprings {
   [[nodiscard]] double friction_limit() const { return mu_ * spring_modulus_ratio(bed_.layer.poisson_ratio); }
 
   [[nodiscard]] SpringForces forces(const SpringState& state) const {
-    return coupled_forces(bed_, body_, axis_weights_, state, static_cast<bool>(loading_.normal_force));
+    return coupled_forces(bed_, body_, axis_weights_, state,
+                          {static_cast<bool>(loading_.normal_force), static_cast<bool>(loading_.tangential_force)});
   }
 
   [[nodiscard]] Dissipation heat(const SpringState& before, const SpringState& after) const {
@@ -92,14 +93,16 @@ double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direc
 }
 
 SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
-                            const SpringState& state, bool by_force) {
+                            const SpringState& state, const ByForce& by_force) {
   const SpringBed& springs = bed.springs;
   const double of_half_space = force_scale(bed, body, Direction::normal) / normal_scale(body);
-  const double at_edge = by_force ? 0 : edge_force(springs, body, state);
+  // Without a dashpot rim loads are what the edge bears.
+  const auto whole = body.viscosity > 0 ? by_force : ByForce{true, true};
+  const auto forces = forces_of_springs(springs, body, weights, state, whole);
   const double at_rim = normal_scale(body) * (springs.width * state.rim_load).sum();
-  return {of_half_space * (normal_force(springs, body, state) + at_edge + at_rim),
-          force_scale(bed, body, Direction::tangential) * (springs.width * state.tangential_load).sum(),
-          of_half_space * axis_pressure(weights, body, state)};
+  return {of_half_space * (forces.normal + at_rim),
+          force_scale(bed, body, Direction::tangential) / tangential_scale(body) * forces.tangential,
+          of_half_space * forces.axis_pressure};
 }
 
 Dissipation dissipation(const CoupledBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,

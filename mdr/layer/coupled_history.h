@@ -9,10 +9,9 @@ namespace fretval::mdr {
 /// Force of a bed in N over sum(width * load) in m^2: 2 E* or 2 G* with the relaxed modulus, Pa.
 double force_scale(const CoupledBed& bed, const PronyBody& body, Direction direction);
 
-/// Forces on the indenter, and the pressure on the axis. weights: axis_weights() of the springs; by_force: the normal
-/// force is prescribed, and balanced by whole springs.
+/// Forces on the indenter, and the pressure on the axis: forces_of_springs() of mdr/springs/spring_energy.h.
 SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
-                            const SpringState& state, bool by_force);
+                            const SpringState& state, const ByForce& by_force);
 
 /// Energy in J that one step of coupled springs turns into heat. Their energy is a quadratic form of the depths, with
 /// the inverse of the coupling in the place of the widths, so that the memory of every mode dissipates by itself.

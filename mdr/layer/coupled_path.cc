@@ -28,8 +28,8 @@ class CoupledAlongPath {
   [[nodiscard]] double tangential_scale() const { return force_scale(bed_, body_, Direction::tangential); }
   [[nodiscard]] double friction_limit() const { return mu_ * spring_modulus_ratio(bed_.layer.poisson_ratio); }
   [[nodiscard]] const SpringBed& bed() const { return bed_.springs; }
-  [[nodiscard]] SpringForces forces(const SpringState& state, bool by_force) const {
-    return coupled_forces(bed_, body_, axis_weights_, state, by_force);
+  [[nodiscard]] SpringForces forces(const SpringState& state) const {
+    return coupled_forces(bed_, body_, axis_weights_, state, {path_.normal_force, path_.tangential_force});
   }
   [[nodiscard]] Dissipation heat(double dt, const SpringState& before, const SpringState& after) const {
     return dissipation(bed_, body_, mu_, dt, before, after);

@@ -66,7 +66,7 @@ struct LeastMargins {
 ///   double normal_scale(), tangential_scale()        N per sum(width * load)
 ///   double friction_limit()                mu E*/G*
 ///   const SpringBed& bed()
-///   SpringForces forces(state, by_force)   on the indenter; by_force: of a normal force that whole springs balance
+///   SpringForces forces(state)             on the indenter
 ///   Dissipation heat(dt, before, after)    of one step
 ///   double stick_depth(margin, slip)       see mdr/springs/spring_stick.h
 template <class Foundation>
@@ -187,7 +187,7 @@ class PathHistory {
     result.time.push_back(time);
     result.indentation.push_back(state_.indenter.indentation);
     result.tangential_displacement.push_back(rising_.rest.tangential + state_.indenter.tangential);
-    const SpringForces forces = springs_.forces(state_, path_.normal_force);
+    const SpringForces forces = springs_.forces(state_);
     result.normal_force.push_back(forces.normal);
     result.tangential_force.push_back(forces.tangential);
     result.axis_pressure.push_back(forces.axis_pressure);

@@ -31,19 +31,21 @@ class IndependentAlongPath {
   [[nodiscard]] double tangential_scale() const { return mdr::tangential_scale(body_); }
   [[nodiscard]] double friction_limit() const { return 1.5 * mu_; }
   [[nodiscard]] const SpringBed& bed() const { return bed_; }
-  [[nodiscard]] SpringForces forces(const SpringState& state, bool by_force) const {
-    const double at_edge = by_force ? 0 : edge_force(bed_, body_, state);
-    return {normal_force(bed_, body_, state) + at_edge, tangential_force(bed_, body_, state),
-            axis_pressure(axis_weights_, body_, state)};
+  [[nodiscard]] SpringForces forces(const SpringState& state) const {
+    return forces_of_springs(bed_, body_, axis_weights_, state, by_force());
   }
   [[nodiscard]] Dissipation heat(double dt, const SpringState& before, const SpringState& after) const {
-    return dissipation(bed_, body_, mu_, dt, before, after);
+    const auto widths =
+        by_force().normal ? HeatWidths{bed_.width, bed_.width} : widths_in_step(bed_, body_, before, after);
+    return dissipation(widths, body_, mu_, dt, before, after);
   }
   [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
     return mdr::stick_depth(bed_, mu_, margin, slip);
   }
 
  private:
+  [[nodiscard]] ByForce by_force() const { return {path_.normal_force, path_.tangential_force}; }
+
   SpringBed bed_;
   Eigen::ArrayXd axis_weights_;
   const PronyBody& body_;

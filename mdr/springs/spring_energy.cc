@@ -45,12 +45,13 @@ double normal_force(const SpringBed& bed, const PronyBody& body, const SpringSta
   return normal_scale(body) * (bed.width * state.normal_load).sum();
 }
 
-double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
+Eigen::ArrayXd edge_widths(const SpringBed& bed, const SpringState& state) {
   constexpr Eigen::Index n_to_continue = 3;  // a quadratic
   const auto &x = bed.position, &width = bed.width, &depth = bed.depth;
   const auto& load = state.normal_load;
   const Eigen::Index n = x.size();
-  if (body.viscosity == 0 || n < n_to_continue) return 0;
+  Eigen::ArrayXd at_edge = Eigen::ArrayXd::Zero(n);
+  if (n < n_to_continue) return at_edge;
   // Gaps between tips and indenter; beyond the bed those of untouched tips below a quadratic g.
   const auto gap = [&, d = state.indenter.indentation](Eigen::Index j) {
     if (j < n) return state.normal_depth[j] - (d - depth[j]);
@@ -58,16 +59,35 @@ double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState
     return depth[n - 1] + beyond * (depth[n - 1] - depth[n - 2] + (beyond + 1) / 2 * bend) - d;
   };
   const auto is_free = [&](Eigen::Index j) { return j >= n || load[j] == 0; };
-  double moment = 0;
   for (Eigen::Index j = 1; j < n; ++j) {
     const double first = gap(j + 1), slope = gap(j + 2) - first;
     if (is_free(j - 1) || is_free(j) || !is_free(j + 1) || !is_free(j + 2) || slope <= 0) continue;
     const double end = x[j] + width[j] / 2, farthest = j + 1 < n ? x[j + 1] : end;
     const double edge = std::clamp(x[j] + width[j] * (1 - first / slope), x[j], farthest);
-    const double load_between = load[j] + (load[j] - load[j - 1]) / width[j] * ((end + edge) / 2 - x[j]);
-    moment += (edge - end) * std::max(load_between, 0.0);
+    const double missing = edge - end, ahead = ((end + edge) / 2 - x[j]) / width[j];  // springs
+    if (missing > 0 && load[j] + ahead * (load[j] - load[j - 1]) <= 0) continue;
+    at_edge[j] += missing * (1 + ahead);
+    at_edge[j - 1] -= missing * ahead;
+    if (j + 1 < n) at_edge[j + 1] -= missing;
   }
-  return normal_scale(body) * moment;
+  return at_edge;
+}
+
+HeatWidths widths_in_step(const SpringBed& bed, const PronyBody& body, const SpringState& before,
+                          const SpringState& after) {
+  const Eigen::ArrayXd width = bed.width + (edge_widths(bed, before) + edge_widths(bed, after)) / 2;
+  return {body.viscosity > 0 ? width : bed.width, width};
+}
+
+SpringForces forces_of_springs(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
+                               const SpringState& state, const ByForce& by_force) {
+  SpringForces forces{normal_force(bed, body, state), tangential_force(bed, body, state),
+                      axis_pressure(weights, body, state)};
+  if (by_force.normal) return forces;
+  const Eigen::ArrayXd at_edge = edge_widths(bed, state);
+  forces.normal += normal_scale(body) * (at_edge * state.normal_load).sum();
+  if (!by_force.tangential) forces.tangential += tangential_scale(body) * (at_edge * state.tangential_load).sum();
+  return forces;
 }
 
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state) {
@@ -106,12 +126,12 @@ double friction_heat(const Eigen::ArrayXd& width, const PronyBody& body, double 
   return (width * path.abs() * (onset + limit_after) / 2).sum();
 }
 
-Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+Dissipation dissipation(const HeatWidths& width, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after) {
-  return {tangential_scale(body) * friction_heat(bed.width, body, 1.5 * mu, dt, before, after),
+  return {tangential_scale(body) * friction_heat(width.friction, body, 1.5 * mu, dt, before, after),
           normal_scale(body) *
-                  bulk_heat(bed.width, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
-              tangential_scale(body) * bulk_heat(bed.width, body, dt, before.tangential_memory,
+                  bulk_heat(width.bulk, body, dt, before.normal_memory, after.normal_depth - before.normal_depth) +
+              tangential_scale(body) * bulk_heat(width.bulk, body, dt, before.tangential_memory,
                                                  after.tangential_shift - before.tangential_shift)};
 }
 

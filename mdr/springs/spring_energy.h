@@ -22,12 +22,22 @@ double tangential_scale(const PronyBody& body);
 double normal_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 double tangential_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
 
-/// What normal_force() lacks, or has too much, in a body with a dashpot: loads jump where springs touch, so that the
-/// force of whole springs is a sawtooth in time. It is the load from the end of the last spring in contact to the edge
-/// of the contact, which is where the free tips next to it, extrapolated, meet the indenter; in N. With it the force is
-/// of second order in the width of the springs. Springs of equal width; 0 without a dashpot, and of less than three
-/// springs.
-double edge_force(const SpringBed& bed, const PronyBody& body, const SpringState& state);
+/// What the widths of springs lack, or have too much: whole springs are in contact or not. With these widths added to
+/// theirs, in m, what is in contact ends at the edge of the contact, which is where the free tips next to it,
+/// extrapolated, meet the indenter; whatever is summed goes on linearly from the last two springs up to there. Without
+/// them sums of what does not vanish at the edge are off by up to half a spring: heat in bodies with memory,
+/// stiffnesses (and by these what small oscillations lose), and with a dashpot, whose load jumps where a spring
+/// touches, everything. Springs of equal width; 0 for less than three springs.
+Eigen::ArrayXd edge_widths(const SpringBed& bed, const SpringState& state);
+
+/// Directions in which forces are prescribed. Whole springs balance these, and nothing is added at the edge.
+struct ByForce {
+  bool normal = false, tangential = false;
+};
+
+/// Forces on the indenter. weights: axis_weights of the bed.
+SpringForces forces_of_springs(const SpringBed& bed, const PronyBody& body, const Eigen::ArrayXd& weights,
+                               const SpringState& state, const ByForce& by_force);
 
 /// Pressure on the axis in Pa. weights: axis_weights of the bed.
 double axis_pressure(const Eigen::ArrayXd& weights, const PronyBody& body, const SpringState& state);
@@ -41,11 +51,21 @@ struct Dissipation {
   double bulk = 0;      ///< dashpots of the branches and the parallel one
 };
 
+/// Widths by which heat is summed over the springs, m.
+struct HeatWidths {
+  Eigen::ArrayXd friction, bulk;
+};
+
+/// The widths of the springs with the mean of the edge_widths at the start and at the end of a step; for friction,
+/// which vanishes at the edge otherwise, with a dashpot alone.
+HeatWidths widths_in_step(const SpringBed& bed, const PronyBody& body, const SpringState& before,
+                          const SpringState& after);
+
 /// Heat of the step of length dt in s from one state to the next. Branches: exact for linear motion of the tips.
 /// Friction: slip under the friction limit, from where the growing traction of the stuck spring meets it to the end of
 /// the step; exact for elastic springs, also for those that lose contact, whose release is what relaxation damping is
 /// made of (Popov, Popov and Pohrt, Scientific Reports 5 (2015) 16189).
-Dissipation dissipation(const SpringBed& bed, const PronyBody& body, double mu, double dt, const SpringState& before,
+Dissipation dissipation(const HeatWidths& width, const PronyBody& body, double mu, double dt, const SpringState& before,
                         const SpringState& after);
 
 /// Heat of the dashpots of one direction in a step, over the force scale of that direction (normal_scale or

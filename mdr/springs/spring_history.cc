@@ -39,14 +39,13 @@ class IndependentSprings {
   [[nodiscard]] double friction_limit() const { return 1.5 * mu_; }
 
   [[nodiscard]] SpringForces forces(const SpringState& state) const {
-    // A prescribed normal force is balanced by whole springs.
-    const double at_edge = loading_.normal_force ? 0 : edge_force(bed_, body_, state);
-    return {normal_force(bed_, body_, state) + at_edge, tangential_force(bed_, body_, state),
-            axis_pressure(axis_weights_, body_, state)};
+    return forces_of_springs(bed_, body_, axis_weights_, state, by_force());
   }
 
   [[nodiscard]] Dissipation heat(const SpringState& before, const SpringState& after) const {
-    return dissipation(bed_, body_, mu_, dt_, before, after);
+    const auto widths =
+        by_force().normal ? HeatWidths{bed_.width, bed_.width} : widths_in_step(bed_, body_, before, after);
+    return dissipation(widths, body_, mu_, dt_, before, after);
   }
 
   [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
@@ -54,6 +53,9 @@ class IndependentSprings {
   }
 
  private:
+  [[nodiscard]] ByForce by_force() const {
+    return {static_cast<bool>(loading_.normal_force), static_cast<bool>(loading_.tangential_force)};
+  }
   [[nodiscard]] IndenterState indenter(const SpringState& state, double time) const {
     PrescribedInStep prescribed{loading_.path ? loading_.path(time) : state.indenter, {}, {}};
     if (loading_.normal_force) prescribed.normal_load = loading_.normal_force(time) / normal_scale(body_);

@@ -70,7 +70,7 @@ WearCycle WearingSprings::settled_cycle(const AbelMatrices& matrices) {
     slip.col(instant) = slip_in_contact(before).matrix();
     const Eigen::ArrayXd gap = state_.normal_depth - (state_.indenter.indentation - bed_.depth);
     cycle.load.col(instant) = (state_.normal_load > 0).select(state_.normal_load, -gap.max(0)).matrix();
-    cycle.friction_work += dissipation(bed_, body_, mu_, dt_, before, state_).friction / period;
+    cycle.friction_work += dissipation({bed_.width, bed_.width}, body_, mu_, dt_, before, state_).friction / period;
   }
   n_cycles_ += period;
   const Eigen::ArrayXd spring_path = slip.cwiseAbs().rowwise().sum() / period;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "mdr/springs/spring_history.h"
 #include "mdr/support/constants.h"
 
 namespace fretval::mdr::spring_energy_test {
@@ -56,7 +57,7 @@ TEST(SpringEnergy, ForceOfADashpotsEdgeIsThatOfAPartOfASpring) {
       SpringStep(body, mu, dt).advance(state, bed, {d, v, 0, 0});
       if (a < 0.3) continue;
       const double exact = 8 * (G * d * a * 2 / 3 + eta * v * a);
-      worst = std::max(worst, std::abs((normal_force(bed, body, state) + edge_force(bed, body, state)) / exact - 1));
+      worst = std::max(worst, std::abs(forces_of_springs(bed, body, axis_weights(bed), state, {}).normal / exact - 1));
     }
     return worst;
   };
@@ -65,10 +66,34 @@ TEST(SpringEnergy, ForceOfADashpotsEdgeIsThatOfAPartOfASpring) {
   EXPECT_GT(std::log2(coarse / fine), 1.8);
 }
 
-TEST(SpringEnergy, WithoutADashpotTheEdgeBearsNothing) {
-  const PronyBody body = standard_solid(3, 6, 0.7);
-  const SpringBed bed = spring_bed(parabola(5), 1, 50);
-  EXPECT_EQ(edge_force(bed, body, relaxed_state(bed, body, 0.1)), 0);
+// Springs end 0.2 or 0.8 of a spring beyond the contact of radius 0.6; with the part of a spring their widths add up to
+// it, whether the last spring touches or not.
+TEST(SpringEnergy, WidthsEndAtTheEdge) {
+  for (const double beyond : {0.2, 0.8}) {
+    const double a = 0.6, width = a / (50 - beyond);
+    const SpringBed bed = spring_bed(parabola(1), 50 * width, 50);
+    const auto state = relaxed_state(bed, elastic(1), a * a);
+    const Eigen::ArrayXd in_contact = (state.normal_load > 0).cast<double>(), all = bed.width + edge_widths(bed, state);
+    EXPECT_GT(std::abs((bed.width * in_contact).sum() - a) / width, 0.19) << beyond;
+    EXPECT_NEAR((all * in_contact).sum() / width, a / width, 0.02) << beyond;
+    EXPECT_NEAR((all * in_contact * state.normal_load).sum(), 2 * a * a * a / 3, 1e-6) << beyond;
+  }
+  const SpringBed two = spring_bed(parabola(1), 0.5, 2);
+  EXPECT_EQ(edge_widths(two, relaxed_state(two, elastic(1), 0.1)).abs().maxCoeff(), 0);
+}
+
+// A small oscillation of a standard solid, after ten periods: pi G'' amplitude^2 of each direction times the contact.
+TEST(SpringEnergy, SmallOscillationsLoseWhatTheWholeContactDoes) {
+  const double d = 0.36, normal = 1e-4 * d, shift = 1e-6 * d, omega_tau = 0.5, loss = 2 * omega_tau / (1 + 0.25);
+  const auto motion = harmonic_motion({d, normal, shift, 1, 1, 0.3});
+  for (const double beyond : {0.2, 0.4}) {
+    const auto body = standard_solid(1, 2, omega_tau / (2 * pi));
+    const auto bed = spring_bed(parabola(1), 0.6 * 50 / (50 - beyond), 50);
+    const auto history = spring_history(bed, body, 1, {ramped_path(motion, 10), {}, {}}, {1, 360, 10, 400, 1e-9});
+    const double exact = pi * loss * 0.6 * (8 * normal * normal + 16.0 / 3 * shift * shift);
+    EXPECT_NEAR(history.bulk_work / exact, 1, 3e-4) << beyond;  // whole springs: 4e-3, 8e-3
+    EXPECT_NEAR(history.indenter_work / exact, 1, 3e-4) << beyond;
+  }
 }
 
 // After a jump by d, the branch holds G1 d^2/2 per unit of the scale, and e^(-2 dt/tau) of it a step later; the rest
@@ -85,7 +110,7 @@ TEST(SpringEnergy, RelaxingBranchTurnsWhatItStoredIntoHeat) {
   SpringStep(body, stuck, dt).advance(state, bed, {d, 0, u, 0});
   const double left = std::exp(-2 * dt / tau);
   EXPECT_NEAR(stored_energy(bed, body, state) / ((G0 + G1 * left) * jump), 1, 1e-11);
-  const Dissipation heat = dissipation(bed, body, stuck, dt, before, state);
+  const Dissipation heat = dissipation({bed.width, bed.width}, body, stuck, dt, before, state);
   EXPECT_NEAR(heat.bulk / (G1 * (1 - left) * jump), 1, 1e-11);
   EXPECT_NEAR(heat.friction, 0, 1e-17);
 }
@@ -98,10 +123,12 @@ TEST(SpringEnergy, DashpotHeatIsItsForceTimesThePath) {
     const SpringState before = relaxed_state(bed, body, 0.1);
     SpringState after = before;
     after.normal_depth += move;
-    EXPECT_NEAR(dissipation(bed, body, mu, 0.5, before, after).bulk, 8 * 0.7 * move * move / 0.5, 1e-15);
+    EXPECT_NEAR(dissipation({bed.width, bed.width}, body, mu, 0.5, before, after).bulk, 8 * 0.7 * move * move / 0.5,
+                1e-15);
     after = before;
     after.tangential_shift += move;
-    EXPECT_NEAR(dissipation(bed, body, mu, 0.5, before, after).bulk, 16.0 / 3 * 0.7 * move * move / 0.5, 1e-15);
+    EXPECT_NEAR(dissipation({bed.width, bed.width}, body, mu, 0.5, before, after).bulk,
+                16.0 / 3 * 0.7 * move * move / 0.5, 1e-15);
   }
 }
 
@@ -114,8 +141,9 @@ TEST(SpringEnergy, SlidingHeatIsFrictionForceTimesPath) {
   step.advance(state, bed, {0.09, 0, 1, 0});  // all slide
   const SpringState before = state;
   step.advance(state, bed, {0.09, 0, 1.5, 0});
-  EXPECT_NEAR(dissipation(bed, body, mu, 1, before, state).friction / (mu * normal_force(bed, body, state) * 0.5), 1,
-              1e-13);
+  EXPECT_NEAR(dissipation({bed.width, bed.width}, body, mu, 1, before, state).friction /
+                  (mu * normal_force(bed, body, state) * 0.5),
+              1, 1e-13);
 }
 
 // Work done on the springs = heat + change of what they store, at every step and up to the third order in it.
@@ -136,7 +164,7 @@ TEST(SpringEnergy, EnergyBalances) {
         step.advance(
             state, bed,
             {0.1 + 0.04 * std::sin(3 * t), 0.12 * std::cos(3 * t), 0.02 * std::sin(4 * t), 0.08 * std::cos(4 * t)});
-        const Dissipation more = dissipation(bed, body, mu, dt, last, state);
+        const Dissipation more = dissipation({bed.width, bed.width}, body, mu, dt, last, state);
         heat += more.friction + more.bulk;
         work += (normal_force(bed, body, last) + normal_force(bed, body, state)) / 2 *
                     (state.indenter.indentation - last.indenter.indentation) +
@@ -165,7 +193,7 @@ TEST(SpringEnergy, MindlinDeresiewiczLoop) {
   for (int k = 1; k <= 30; ++k) {
     const SpringState last = state;
     step.advance(state, bed, {d, 0, u_x * std::sin(2 * pi * k / 20), 0});
-    if (k > 10) heat += dissipation(bed, elastic(G), mu, 1, last, state).friction;
+    if (k > 10) heat += dissipation({bed.width, bed.width}, elastic(G), mu, 1, last, state).friction;
   }
   // int over the slip zone of 2 * 4 mu (4 G)(d - g)(u_x - 1.5 mu (d - g)) dx with g = x^2.
   const double a = std::sqrt(d), c = std::sqrt(d - u_x / (1.5 * mu));
@@ -187,7 +215,8 @@ TEST(SpringEnergy, RelaxationDampingReleasesTheTangentialEnergy) {
   step.advance(state, bed, {0.1, 0, 0.01, 0});
   const SpringState loaded = state;
   step.advance(state, bed, {-0.1, 0, 0.01, 0});
-  EXPECT_NEAR(dissipation(bed, body, 1e9, 1, loaded, state).friction, 8.0 / 3 * 3 * 0.01 * 0.01, 1e-12);
+  EXPECT_NEAR(dissipation({bed.width, bed.width}, body, 1e9, 1, loaded, state).friction, 8.0 / 3 * 3 * 0.01 * 0.01,
+              1e-12);
   EXPECT_EQ(stored_energy(bed, body, state), 0);
 }
 

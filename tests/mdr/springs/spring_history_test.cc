@@ -19,9 +19,10 @@ SpringBed bed_for(const Motion& motion, Eigen::Index n) {
   return spring_bed(sphere, 1.01 * inverse_transform(sphere, maximum_indentation(motion)), n);
 }
 
-SpringHistory history_of(const PronyBody& body, const Motion& motion, int steps, int ramp_periods, double periodicity) {
+SpringHistory history_of(const PronyBody& body, const Motion& motion, int steps, int ramp_periods, double periodicity,
+                         Eigen::Index n_springs = 100) {
   const HistoryControl control{1 / motion.normal_frequency, steps, ramp_periods, 2000, periodicity};
-  return spring_history(bed_for(motion, 100), body, mu,
+  return spring_history(bed_for(motion, n_springs), body, mu,
                         {ramped_path(harmonic_motion(motion), ramp_periods / motion.normal_frequency), {}, {}},
                         control);
 }
@@ -102,7 +103,7 @@ TEST(SpringHistory, ForceIsThatOfThePeriodicState) {
 
 TEST(SpringHistory, WorkOfAPeriodIsHeat) {
   const Motion motion{1, 0.15, 0.3, 1, 1, 0.7};
-  const SpringHistory history = history_of(standard_solid(1, 1.5, 0.3), motion, 360, 10, 1e-8);
+  const SpringHistory history = history_of(standard_solid(1, 1.5, 0.3), motion, 360, 10, 1e-8, 400);
   EXPECT_GT(history.friction_work, 0);
   EXPECT_GT(history.bulk_work, 0);
   EXPECT_NEAR((history.friction_work + history.bulk_work) / history.indenter_work, 1, 5e-5);  // (2 pi/360)^2/6

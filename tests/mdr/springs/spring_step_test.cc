@@ -104,7 +104,7 @@ TEST(SpringStep, OscillatingFlatPunchHasTheComplexModulus) {
                      {1 + normal * std::sin(angle), normal * omega * std::cos(angle), tangential * std::sin(angle),
                       tangential * omega * std::cos(angle)});
         if (k <= 59 * n) continue;
-        const Dissipation more = dissipation(bed, body, 10, dt, last, state);
+        const Dissipation more = dissipation({bed.width, bed.width}, body, 10, dt, last, state);
         heat = {heat.friction + more.friction, heat.bulk + more.bulk};
         const std::complex<double> modulus = complex_modulus(body, omega);
         const double expected =
