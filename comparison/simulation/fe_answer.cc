@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparison/simulation/fe_cycle.h"
 #include "comparison/support/constants.h"
@@ -73,15 +74,22 @@ Eigen::Index largest_contact_rings(const fem::NormalHistory& history) {
   return n;
 }
 
+/// longest: up to which slip counts.
 DiscAnswer stick_depths(const fem::PunchSeries& series, const FemCase& fem, const fem::FrictionHistory& friction,
-                        const ZoneRings& rings) {
+                        const ZoneRings& rings, double longest) {
   const Eigen::Index n_contact = rings.contact;
   const auto depths = [&](const Eigen::VectorXd& reserve, const Eigen::VectorXd& slip, Eigen::Index n_stuck) {
     return fem::stick_depths({reserve.head(n_contact), series.displacements(slip).head(n_contact), n_stuck},
-                             series.radii(), tangential_per_depth(fem), friction.amplitude);
+                             series.radii(), tangential_per_depth(fem), longest);
   };
   return {depths(friction.first_slip_reserve, friction.slip_path, rings.stuck.first_slip),
           depths(friction.shakedown_reserve, friction.period_slip / 4, rings.stuck.shakedown)};
+}
+
+/// Whether the innermost rings slip by too much for anything to stick, although they never lift.
+bool sticks_nowhere(const fem::NormalHistory& normal, const fem::StickDepths& slips) {
+  const auto n = std::min<Eigen::Index>(2, normal.pressure.rows());
+  return normal.pressure.topRows(n).minCoeff() > 0 && fem::sticks_nowhere(slips);
 }
 
 /// Corrects the zones of a worn profile, and returns the evidence that nothing wears.
@@ -201,10 +209,12 @@ FeAnswer read_answer(const ContactProblems& problems, const FemCase& fem, const 
   if (fem.kind == ContactKind::worn) {
     answer.of_kind = read_worn(problems, fem, profile, normal, friction, stuck, zones);
   } else {
-    const auto discs = stick_depths(problem.series, fem, friction, answer.rings);
-    if (fem::sticks_nowhere(discs.first_slip_depths)) first.uncertainty = 0;
-    if (fem::sticks_nowhere(discs.shakedown_depths)) shakedown.uncertainty = 0;
-    answer.of_kind = discs;
+    answer.of_kind = stick_depths(problem.series, fem, friction, answer.rings, 2 * friction.amplitude);
+    const auto [first_slips, shakedown_slips] =
+        stick_depths(problem.series, fem, friction, answer.rings, std::numeric_limits<double>::infinity());
+    const bool lifts = !is_pass(fem.motion_kind) && normal.indentation.minCoeff() <= 0;
+    if (lifts || sticks_nowhere(normal, first_slips)) first.uncertainty = 0;
+    if (lifts || sticks_nowhere(normal, shakedown_slips)) shakedown.uncertainty = 0;
   }
 
   read_normal_response(problems, fem, contact_radius, normal, answer);

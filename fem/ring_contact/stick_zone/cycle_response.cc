@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "fem/motion/running_minimum.h"
 #include "fem/support/constants.h"
@@ -60,12 +61,18 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
   return uncertainty;
 }
 
-/// With a dashpot what is locked in fades at once. Prescribed forces are known: under them it is the displacements that
-/// are off, by as much work.
+/// What of the stiffness in a step stays when the step is over: not the dashpot's.
+double lasting_share(const RelaxationModel& relaxation, double step) {
+  const double springs = std::accumulate(relaxation.moduli.begin(), relaxation.moduli.end(), relaxation.relaxed);
+  return springs / (springs + relaxation.viscosity / step);
+}
+
+/// What the dashpot bears of what is locked in fades at once. Prescribed forces are known: under them it is the
+/// displacements that are off, by as much work.
 CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion, const FrictionHistory& friction) {
-  if (relaxation.viscosity > 0) return {};
-  const auto& off = friction.force_off_by_steps;
-  const auto n = off.size();
+  const auto n = friction.force_off_by_steps.size();
+  const double step = 2 * pi * motion.cycles_per_period() / static_cast<double>(n);
+  const Eigen::VectorXd off = lasting_share(relaxation, step) * friction.force_off_by_steps;
   double work = 0;
   for (Eigen::Index k = motion.is_single_pass() ? 1 : 0; k < n; ++k)
     work += off[k] * (friction.indenter[k] - friction.indenter[(k + n - 1) % n]);

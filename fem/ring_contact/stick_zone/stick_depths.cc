@@ -19,12 +19,11 @@ double crossing(const StickDepths& depths, double level) {
 }  // namespace
 
 StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, double tangential_per_depth,
-                         double amplitude) {
+                         double longest) {
   const Eigen::Index n = rings.reserve.size();
   StickDepths depths{Eigen::VectorXd(n), radii.head(n)};
   for (Eigen::Index j = 0; j < n; ++j)
-    depths.depth[j] =
-        (j < rings.n_stuck ? rings.reserve[j] : -std::min(rings.slip[j], 2 * amplitude)) / tangential_per_depth;
+    depths.depth[j] = (j < rings.n_stuck ? rings.reserve[j] : -std::min(rings.slip[j], longest)) / tangential_per_depth;
   return depths;
 }
 

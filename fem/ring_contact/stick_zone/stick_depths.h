@@ -19,14 +19,14 @@ struct StickDepths {
 /// In the elastic contact d_stick - g(r) (Cattaneo and Mindlin), from the reserves of the rings over
 /// tangential_per_depth = 3 mu/2. A ring that slips has no reserve; minus its slip takes its place: the path of slip
 /// from the start on, or, for slip to and fro, a quarter of the path in a period. In a body that is stiff in motion
-/// slips are smaller than the depths they stand for, by |G|/G'(0) at most. Slips count up to 2 u_x0, so that it does
-/// not matter for how long a ring has slipped. radii: PunchSeries::radii; amplitude: u_x0.
+/// slips are smaller than the depths they stand for, by |G|/G'(0) at most. Slips count up to `longest`; with 2 u_x0 it
+/// does not matter for how long a ring has slipped. radii: PunchSeries::radii.
 StickDepths stick_depths(const StickRings& rings, const Eigen::VectorXd& radii, double tangential_per_depth,
-                         double amplitude);
+                         double longest);
 
 /// Whether not even a spot inside the innermost ring sticks: whether its depth would still be below 0 if the depths
 /// rose to the centre by twice what they fall by to the next ring. Under r^n they rise by 1/(3^n - 1) of that, 1.4
-/// times for n = 1/2.
+/// times for n = 1/2. For slips of any length, of rings that never lift.
 bool sticks_nowhere(const StickDepths& depths);
 
 /// How far the edge of the stick zone may lie from c if all depths are off by `uncertainty`: the larger distance from c

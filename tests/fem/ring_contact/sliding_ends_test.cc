@@ -14,8 +14,8 @@ namespace {
 
 constexpr double mu = 0.5, infinity = std::numeric_limits<double>::infinity();
 
-/// The last period of springs of stiffness 1 in the places of the punches, under an oscillating parabola that moves to
-/// and fro, by the law of the steps: a spring sticks unless that exceeds its limit at the end of the step.
+/// The last period of springs of stiffness 1 in the places of the punches, under a parabola that presses all of them
+/// and moves to and fro, by the law of the steps: a spring sticks unless that exceeds its limit at the end of the step.
 struct Springs {
   const PunchSeries& series = tangential_half_space(16).series;
   Eigen::MatrixXd depths, limits;
@@ -34,8 +34,8 @@ struct Springs {
       const double t = k * dt;
       Eigen::VectorXd limit(n_springs);
       for (Eigen::Index i = 0; i < n_springs; ++i) {
-        limit[i] = mu * std::max(0.0, 0.7 + 0.3 * std::cos(t + 0.4) - std::pow(series.radii()[i], 2));
-        depth[i] = std::clamp(depth[i] + move(t) - move(t - dt), -limit[i], limit[i]);
+        limit[i] = mu * (1.6 + 0.3 * std::cos(t + 0.4) - std::pow(series.radii()[i], 2));
+        if (k > -n) depth[i] = std::clamp(depth[i] + move(t) - move(t - dt), -limit[i], limit[i]);
       }
       if (k < 0) continue;
       depths.col(k) = depth;
@@ -71,19 +71,19 @@ double spread_of_factor(const Error& error) {
   return most - least;
 }
 
-// Springs slide for a while, under the largest amplitude nearly all of them. The sums over the steps are of second
+// Springs slide for a while, under the larger amplitude all of them. The sums over the steps are of second
 // order as well, with a factor that does not jump.
 TEST(SlidingEnds, AreWhyStepsHaveErrorsWithoutAnOrder) {
-  for (const double amplitude : {0.15, 0.3, 1.0}) {
+  for (const double amplitude : {0.6, 1.5}) {
     const Springs exact(20000, amplitude);
     const double work = exact.work(exact.force), mean = exact.force.mean();
     const auto spread = [&](auto&& error) {
       return spread_of_factor([&](int n) { return error(Springs(n, amplitude)); });
     };
-    const double of_work = spread([&](const Springs& s) { return s.work(s.force) - work; }),
-                 of_mean = spread([&](const Springs& s) { return s.force.mean() - mean; });
+    const double of_work = spread([&](const Springs&s) { return s.work(s.force) - work; }),
+                 of_mean = spread([&](const Springs&s) { return s.force.mean() - mean; });
     EXPECT_LT(spread([&](const Springs& s) { return s.work(s.force - s.off()) - work; }), of_work / 3) << amplitude;
-    EXPECT_LT(spread([&](const Springs& s) { return (s.force - s.off()).mean() - mean; }), of_mean / 3) << amplitude;
+    EXPECT_LT(spread([&](const Springs& s) { return (s.force - s.off()).mean() - mean; }), of_mean / 2) << amplitude;
   }
 }
 
@@ -91,13 +91,13 @@ TEST(SlidingEnds, AreNoneWithoutSteps) {
   EXPECT_EQ(force_off_by_sliding_ends(tangential_half_space(16).series, {}, {}, true).size(), 0);
 }
 
-// With 44 steps the last end of sliding in the period lies before its end, and what it locks in goes on after it.
+// Sliding ends twice in a period, the second time at three quarters of it; what that locks in goes on after its end.
 TEST(SlidingEnds, GoOnInTheNextPeriodIfThatIsTheSame) {
-  const Springs steps(44, 1);
+  const Springs steps(47, 1.5);
   const auto once = steps.off(false), again = steps.off(true);
   EXPECT_EQ(once.tail(8), again.tail(8));
   EXPECT_EQ(once[0], 0);
-  EXPECT_NE(again[0], 0);
+  EXPECT_LT(again[0], 0);
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ TEST(StickDepths, TellWhetherASpotInsideTheFirstRingMayStick) {
 
 TEST(StickDepths, ComeFromReservesAndSlip) {
   const Eigen::Vector3d reserve(0.3, 0.1, 0), slip(0, 0, 5);
-  const auto depths = stick_depths({reserve, slip, 2}, Eigen::VectorXd::LinSpaced(5, 0.1, 0.9), 0.5, 1);
+  const auto depths = stick_depths({reserve, slip, 2}, Eigen::VectorXd::LinSpaced(5, 0.1, 0.9), 0.5, 2);
   EXPECT_TRUE(depths.depth.isApprox(Eigen::Vector3d(0.6, 0.2, -4)));
   EXPECT_EQ(depths.radius.size(), 3);
 }
