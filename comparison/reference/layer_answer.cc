@@ -20,7 +20,8 @@ mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Presc
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   const auto [response, error] = refined_until_known(
       [&](const mdr::SteppedForcedResponse& stepped) {
-        return knows_normal_force(mdr, stepped.response.normal.normal_force_max, stepped.error.normal.normal_force_max);
+        return excess_of_normal_force(mdr, stepped.response.normal.normal_force_max,
+                                      stepped.error.normal.normal_force_max);
       },
       [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), times); });
   auto normal = response.normal;

@@ -26,28 +26,25 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
   return mdr.limiting && mdr.has_forces() ? mdr.limiting_state->motion : mdr.motion;
 }
 
-/// Whether springs know the stick radii and the cycle of an answer as well as the case asks for.
-bool is_known(const MdrCase& mdr, const MdrAnswer& answer) {
+/// Largest error of the stick radii and the cycle of an answer by springs, over what the case allows.
+double excess_of(const MdrCase& mdr, const MdrAnswer& answer) {
   const double a = answer.contact_radius_max.value_or(0);
-  const auto radius_is_known = [&](Quantity quantity, double error) {
-    return mdr.tolerance == 0 || is_known_to(mdr.tolerance, quantity, a, error, {a, 0, 0});
-  };
-  if (!radius_is_known(Quantity::stick_radius_first_slip, answer.stepped.first_slip) ||
-      !radius_is_known(Quantity::stick_radius_shakedown, answer.stepped.shakedown))
-    return false;
-  if (!mdr.cycle_tolerance || !answer.cycle) return true;
+  double most = 0;
+  if (mdr.tolerance > 0)
+    for (const auto& [quantity, error] : {std::pair(Quantity::stick_radius_first_slip, answer.stepped.first_slip),
+                                          std::pair(Quantity::stick_radius_shakedown, answer.stepped.shakedown)})
+      most = std::max(most, excess_of(mdr.tolerance, quantity, a, error, {a, 0, 0}));
+  if (!mdr.cycle_tolerance || !answer.cycle) return most;
   const Scales scales{0, answer.cycle->sliding_force, answer.cycle->sliding_work};
-  const auto& readings = answer.cycle->readings;
-  return std::all_of(readings.begin(), readings.end(), [&](const auto& of_quantity) {
-    const auto& [quantity, reading] = of_quantity;
-    const double value = reading.value.value_or(0);
-    return value <= 0 || is_known_to(*mdr.cycle_tolerance, quantity, value, reading.uncertainty.value_or(0), scales);
-  });
+  for (const auto& [quantity, reading] : answer.cycle->readings)
+    if (const double value = reading.value.value_or(0); value > 0)
+      most = std::max(most, excess_of(*mdr.cycle_tolerance, quantity, value, reading.uncertainty.value_or(0), scales));
+  return most;
 }
 
 /// answer_with: as many times the usual springs and steps.
 MdrAnswer as_known_as_asked(const MdrCase& mdr, const std::function<MdrAnswer(int times)>& answer_with) {
-  return refined_until_known([&](const MdrAnswer& answer) { return is_known(mdr, answer); }, answer_with);
+  return refined_until_known([&](const MdrAnswer& answer) { return excess_of(mdr, answer); }, answer_with);
 }
 
 /// Springs of a motion without period go through 192 oscillations, and half and twice as many, in the place of one. As
@@ -177,7 +174,7 @@ mdr::NormalResponse normal_response_along(const MdrCase& mdr) {
   std::fill(path.tangential.begin(), path.tangential.end(), 0.0);
   auto [forces, error, course] = refined_until_known(
       [&](const mdr::SteppedPathForces& stepped) {
-        return knows_normal_force(mdr, stepped.forces.normal_force_max, stepped.error.normal_force_max);
+        return excess_of_normal_force(mdr, stepped.forces.normal_force_max, stepped.error.normal_force_max);
       },
       [&](int times) {
         const auto fineness = fineness_of(mdr, mdr::PathFineness{}, times);

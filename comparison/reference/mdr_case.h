@@ -43,7 +43,7 @@ struct MdrCase {
   double displacement = 1;  ///< tangential displacements here over those of the case, see incompressible_case
 
   /// Of the case, on stick radii over the contact radius (0: none), and on forces and energies of a cycle. Springs are
-  /// refined to a quarter of them (is_known_to).
+  /// refined to a quarter of them (excess_of).
   double tolerance = 0;
   std::optional<double> cycle_tolerance = {};
   /// Springs, and steps of an oscillation, are so many times fewer than usual, for the line of a plot: what they err by

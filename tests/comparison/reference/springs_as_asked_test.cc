@@ -2,19 +2,37 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 #include "comparison/reference/mdr_answer.h"
 #include "tests/comparison/read_case.h"
 
 namespace fretval::springs_as_asked_test {
 namespace {
 
+// With errors that fall by an order.
 TEST(SpringsAsAsked, AreTheFewestThatAreEnough) {
-  const auto fewest = [](int enough) {
-    return refined_until_known([=](int times) { return times >= enough; }, [](int times) { return times; });
+  const auto fewest = [](double excess, double order) {
+    return refined_until_known([=](int times) { return excess / std::pow(times, order); },
+                               [](int times) { return times; });
   };
-  EXPECT_EQ(fewest(1), 1);
-  EXPECT_EQ(fewest(3), 4);
-  EXPECT_EQ(fewest(100), 8);
+  EXPECT_EQ(fewest(1, 2), 1);
+  EXPECT_EQ(fewest(15, 2), 4);
+  EXPECT_EQ(fewest(63, 2), 8);
+}
+
+// Where errors hardly fall the last doublings, which take longest, would be in vain: a half each is hoped for at least.
+TEST(SpringsAsAsked, AreNotMoreThanThereIsHopeFor) {
+  const auto most = [](std::vector<double> excesses) {
+    return refined_until_known([&](int times) { return excesses.at(static_cast<std::size_t>(std::log2(times))); },
+                               [](int times) { return times; });
+  };
+  EXPECT_EQ(most({5, 4.1}), 2);
+  EXPECT_EQ(most({5, 3.9, 2.1}), 4);
+  EXPECT_EQ(most({5, 3.9, 1.9, 0.9}), 8);
+  EXPECT_EQ(most({50, 10, 6, 1}), 4) << "once by 5, which is not enough";
+  EXPECT_EQ(most({50, 10, 4, 2}), 8);
 }
 
 Case on_a_layer(double tolerance) {
@@ -70,10 +88,9 @@ TEST(SpringsAsAsked, OfALineAreFewer) {
 
 TEST(SpringsAsAsked, ThatNobodyAsksAreEnough) {
   auto mdr = mdr_case(on_a_layer(1e-3));
-  EXPECT_FALSE(knows_normal_force(mdr, 1, 3e-5));
-  EXPECT_TRUE(knows_normal_force(mdr, 1, 2e-5));
+  EXPECT_NEAR(excess_of_normal_force(mdr, 2, 1e-4), 2, 1e-12);
   mdr.tolerance = 0;
-  EXPECT_TRUE(knows_normal_force(mdr, 1, 1));
+  EXPECT_EQ(excess_of_normal_force(mdr, 1, 1), 0);
 }
 
 }  // namespace
