@@ -42,7 +42,7 @@ SpringFineness halved(SpringFineness fineness) {
   return fineness;
 }
 
-ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& history) {
+ForcedResponse response_of(const ContactRadius& radius_at, double mu, const SpringHistory& history) {
   const double deepest = sampled_peak(history.indentation, 1);
   NormalResponse normal{sampled_peak(history.normal_force, 1),
                         std::max(sampled_peak(history.normal_force, -1), 0.0),
@@ -58,7 +58,7 @@ ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& 
           deepest,
           sampled_peak(history.axis_pressure, 1),
           (sampled_peak(shift, 1) - sampled_peak(shift, -1)) / 2,
-          std::max(sampled_peak(pull, 1), -sampled_peak(pull, -1)),
+          friction_peak(pull, history.normal_force, mu),
           std::accumulate(pull.begin() + 1, pull.end(), 0.0) / static_cast<double>(pull.size() - 1),
           history.friction_work,
           history.bulk_work,
@@ -67,10 +67,10 @@ ForcedResponse response_of(const ContactRadius& radius_at, const SpringHistory& 
 
 SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                         const std::function<double(double)>& g, double outer_radius,
-                                        const PronyBody& body, const Prescribed& prescribed,
+                                        const PronyBody& body, double mu, const Prescribed& prescribed,
                                         const SpringFineness& fineness) {
   const auto response_with = [&](const SpringFineness& coarsest, int times) {
-    return response_of(radius_at, history_with(history, body, prescribed, coarsest, times));
+    return response_of(radius_at, mu, history_with(history, body, prescribed, coarsest, times));
   };
   const auto middle = response_with(fineness, 1);
   SteppedForcedResponse stepped{response_with(fineness, 2), {}};
@@ -127,10 +127,10 @@ Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeatin
 
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
-                                            const PronyBody& body, const Prescribed& prescribed,
+                                            const PronyBody& body, double mu, const Prescribed& prescribed,
                                             const SpringFineness& fineness) {
   const auto response_with = [&](const SpringFineness& with) {
-    return extrapolated_once(history, radius_at, g, outer_radius, body, prescribed, with);
+    return extrapolated_once(history, radius_at, g, outer_radius, body, mu, prescribed, with);
   };
   try {
     return response_with(fineness);
@@ -150,7 +150,7 @@ SteppedForcedResponse forced_response(const Profile& profile, const PronyBody& b
         return spring_history(spring_bed(profile, outer, n), body, mu, loading, control);
       },
       [&](const SpringHistory& /*history*/, double depth) { return inverse_transform(profile, depth); },
-      [&](double x) { return transform(profile, x); }, outer, body, prescribed, fineness);
+      [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness);
 }
 
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
@@ -161,7 +161,7 @@ SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBo
         return spring_history(spring_bed(g, worn.stick_radius, n), body, mu, loading, control);
       },
       [&](const SpringHistory& /*history*/, double /*depth*/) { return worn.stick_radius; }, g, worn.stick_radius, body,
-      prescribed);
+      mu, prescribed);
 }
 
 }  // namespace fretval::mdr

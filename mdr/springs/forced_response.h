@@ -75,7 +75,7 @@ using ContactRadius = std::function<double(const SpringHistory& history, double 
 /// springs end.
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
-                                            const PronyBody& body, const Prescribed& prescribed,
+                                            const PronyBody& body, double mu, const Prescribed& prescribed,
                                             const SpringFineness& fineness = {});
 
 /// The response of a worn indenter, whose springs end at its stick radius.

@@ -82,6 +82,23 @@ CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion
   return {friction.force[largest] < 0 ? -off[largest] : off[largest], off.mean(), work};
 }
 
+/// Largest |F_x| of the last period. Between the samples it is not more than mu times the largest of the normal forces
+/// next to the largest sample: where a sliding contact turns, what interpolates goes beyond that.
+double largest_tangential_force(double friction_coefficient, const Motion& motion, const NormalHistory& normal,
+                                const FrictionHistory& friction) {
+  const double read = largest_magnitude_of_period(friction.force, normal.pieces);
+  if (motion.tangential_force) return read;
+  const auto n = friction.force.size();
+  Eigen::Index largest = 0;
+  const double sample = friction.force.cwiseAbs().maxCoeff(&largest);
+  double limit = 0;
+  for (Eigen::Index k = largest - 1; k <= largest + 1; ++k) {
+    const auto column = normal.column(friction.n_steps - n + (k + n) % n + 1);
+    limit = std::max(limit, friction_coefficient * (normal.force[column] + normal.force_beyond[column]));
+  }
+  return std::min(read, std::max(sample, limit));
+}
+
 double path_to_and_fro(const Motion& motion, double amplitude) {
   return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
 }
@@ -123,7 +140,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   const double tangential = motion.tangential_force ? -middle_of(friction.indenter).dot(along) : pull.dot(along),
                pressed = normal_work_along(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_magnitude_of_period(friction.force, pieces);
+  response.tangential_force_max = largest_tangential_force(friction_coefficient, motion, normal, friction);
   for (Eigen::Index k = 0; k <= last; ++k)
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
   response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
@@ -156,7 +173,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   const double tangential = motion.tangential_force ? -friction.indenter.dot(along) : friction.force.dot(along),
                pressing = normal_work(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_magnitude_of_period(friction.force, normal.pieces);
+  response.tangential_force_max = largest_tangential_force(friction_coefficient, motion, normal, friction);
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;

@@ -19,6 +19,18 @@ TEST(SampledPeak, IsTheOneBetweenTheSamples) {
   }
 }
 
+// A contact that slides at 1, and turns within a step.
+TEST(SampledPeak, OfFrictionIsNotBeyondItsLimit) {
+  const std::vector<double> pull{-1, 1, 1, 1, -1, -1, -1}, constant(7, 2.0);
+  EXPECT_GT(sampled_peak(pull, 1), 1.05);
+  EXPECT_EQ(friction_peak(pull, constant, 0.5), 1);
+  EXPECT_EQ(friction_peak(pull, constant, 0.4), 1) << "samples stand";
+  const std::vector<double> rising{2, 2.04, 2, 2, 2, 2, 2};
+  EXPECT_NEAR(friction_peak(pull, rising, 0.5), 1.02, 1e-15) << "the normal force beside the sample";
+  const std::vector<double> sticks{0, 0.8, 0.9, 0.8, 0, -0.5, 0};
+  EXPECT_EQ(friction_peak(sticks, constant, 0.5), sampled_peak(sticks, 1));
+}
+
 TEST(SampledPeak, OfAConstantIsTheConstant) {
   EXPECT_EQ(sampled_peak({2, 2, 2, 2}, 1), 2);
 }

@@ -114,6 +114,18 @@ TEST(CycleResponse, FindsTheExtremeBetweenTheSteps) {
   EXPECT_NEAR(response.tangential_force_mean, 0.05, 1e-14);
 }
 
+// Sliding at mu F_N = 1 until it turns within a step: what interpolates goes beyond that.
+TEST(CycleResponse, LargestForceIsNotBeyondTheFrictionLimit) {
+  auto s = sampled(24);
+  s.normal.force.setConstant(2);
+  for (Eigen::Index k = 0; k < 24; ++k) s.friction.force[k] = k < 12 ? 1 : -1;
+  const auto largest = [&](double mu) {
+    return cycle_response({}, mu, s.motion, 2, s.normal, s.friction).tangential_force_max;
+  };
+  EXPECT_EQ(largest(0.5), 1);
+  EXPECT_GT(largest(1), 1.02) << "it sticks";
+}
+
 TEST(CycleResponse, MeanForceIsUncertainByTheMeanAndTheLargestByItsOwnStep) {
   auto s = sampled(36);
   s.friction.force_uncertainty = Eigen::VectorXd::LinSpaced(36, 0.001, 0.005);
