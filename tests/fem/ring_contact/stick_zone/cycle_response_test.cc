@@ -150,6 +150,8 @@ TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
       FrictionHistory friction;
       normal.pieces = steps_of(path, 60);
       const auto n = static_cast<Eigen::Index>(normal.pieces.size());
+      normal.steps_per_cycle = static_cast<int>(n);
+      friction.n_steps = n;
       for (auto* series : {&normal.force, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
                            &normal.force_beyond_uncertainty, &friction.force, &friction.indenter,
                            &friction.force_uncertainty, &friction.force_off_by_steps})
