@@ -46,8 +46,10 @@ Eigen::VectorXd force_off_by_sliding_ends(const PunchSeries& series, const Eigen
   constexpr double roundoff = 1e-9;
   const Eigen::Index n = depths.cols(), n_that_may_end = repeats ? n : n - 2;
   Eigen::VectorXd off = Eigen::VectorXd::Zero(n);
+  if (n == 0) return off;
+  const double close = roundoff * limit_depths.maxCoeff();
   for (Eigen::Index i = 0; i < depths.rows(); ++i) {
-    const PunchOfPeriod punch(depths, limit_depths, i, roundoff * limit_depths.maxCoeff());
+    const PunchOfPeriod punch(depths, limit_depths, i, close);
     const double force = series.punch_force(i + 1) - series.punch_force(i);
     for (const double way : {1.0, -1.0})
       for (Eigen::Index k = 0; k < n_that_may_end; ++k) {

@@ -35,9 +35,7 @@ class IndependentAlongPath {
     return forces_of_springs(bed_, body_, axis_weights_, state, by_force());
   }
   [[nodiscard]] Dissipation heat(double dt, const SpringState& before, const SpringState& after) const {
-    const auto widths =
-        by_force().normal ? HeatWidths{bed_.width, bed_.width} : widths_in_step(bed_, body_, before, after);
-    return dissipation(widths, body_, mu_, dt, before, after);
+    return dissipation(widths_in_step(bed_, body_, before, after, by_force()), body_, mu_, dt, before, after);
   }
   [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
     return mdr::stick_depth(bed_, mu_, margin, slip);

@@ -74,7 +74,9 @@ Eigen::ArrayXd edge_widths(const SpringBed& bed, const SpringState& state) {
 }
 
 HeatWidths widths_in_step(const SpringBed& bed, const PronyBody& body, const SpringState& before,
-                          const SpringState& after) {
+                          const SpringState& after, const ByForce& by_force) {
+  const bool is_elastic = body.viscosity == 0 && body.branch_moduli.empty();  // no heat but friction's
+  if (by_force.normal || is_elastic) return {bed.width, bed.width};
   const Eigen::ArrayXd width = bed.width + (edge_widths(bed, before) + edge_widths(bed, after)) / 2;
   return {body.viscosity > 0 ? width : bed.width, width};
 }

@@ -56,10 +56,10 @@ struct HeatWidths {
   Eigen::ArrayXd friction, bulk;
 };
 
-/// The widths of the springs with the mean of the edge_widths at the start and at the end of a step; for friction,
-/// which vanishes at the edge otherwise, with a dashpot alone.
+/// The widths of the springs with the mean of the edge_widths at the start and at the end of a step, unless whole
+/// springs balance a normal force; for friction, which vanishes at the edge otherwise, with a dashpot alone.
 HeatWidths widths_in_step(const SpringBed& bed, const PronyBody& body, const SpringState& before,
-                          const SpringState& after);
+                          const SpringState& after, const ByForce& by_force);
 
 /// Heat of the step of length dt in s from one state to the next. Branches: exact for linear motion of the tips.
 /// Friction: slip under the friction limit, from where the growing traction of the stuck spring meets it to the end of

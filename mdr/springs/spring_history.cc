@@ -43,9 +43,7 @@ class IndependentSprings {
   }
 
   [[nodiscard]] Dissipation heat(const SpringState& before, const SpringState& after) const {
-    const auto widths =
-        by_force().normal ? HeatWidths{bed_.width, bed_.width} : widths_in_step(bed_, body_, before, after);
-    return dissipation(widths, body_, mu_, dt_, before, after);
+    return dissipation(widths_in_step(bed_, body_, before, after, by_force()), body_, mu_, dt_, before, after);
   }
 
   [[nodiscard]] double stick_depth(const Eigen::ArrayXd& margin, const SlipOfSprings& slip) const {
