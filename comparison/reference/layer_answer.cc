@@ -10,20 +10,22 @@
 namespace fretval {
 namespace {
 
-mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Prescribed& prescribed, int times) {
+mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Prescribed& prescribed, int n_ramp_periods,
+                                            int times) {
   return mdr::coupled_response(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient, prescribed,
-                               fineness_of(mdr, mdr::SpringFineness{100, 90, 4, 1e-7}, times));
+                               fineness_of(mdr, mdr::SpringFineness{100, 90, n_ramp_periods, 1e-7}, times));
 }
 
 }  // namespace
 
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
+  constexpr int no_ramp = 1;  // without friction the state that repeats is the same whatever leads to it
   const auto [response, error] = refined_until_known(
       [&](const mdr::SteppedForcedResponse& stepped) {
         return excess_of_normal_force(mdr, stepped.response.normal.normal_force_max,
                                       stepped.error.normal.normal_force_max);
       },
-      [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), times); });
+      [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), no_ramp, times); });
   auto normal = response.normal;
   // The contact of a viscoelastic layer reaches, as it grows, the radius of the contact with an elastic one at the same
   // indentation.
@@ -34,7 +36,7 @@ mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
 }
 
 mdr::SteppedForcedResponse layer_response(const MdrCase& mdr, int times) {
-  return stepped_on_layer(mdr, mdr.prescribed(), times);
+  return stepped_on_layer(mdr, mdr.prescribed(), 4, times);
 }
 
 mdr::SteppedPathForces layer_path_forces(const MdrCase& mdr, double friction_coefficient, const mdr::SampledPath& path,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mdr/support/constants.h"
+#include "mdr/support/wide_registers.h"
 
 namespace fretval::mdr {
 
@@ -32,16 +33,43 @@ Eigen::MatrixXd basis_of_waves(const LayerKernel& kernel, const SpringBed& bed) 
   return factors.householderQ() * Eigen::MatrixXd::Identity(n, n_needed);
 }
 
+// matrix * x, four columns at a time: columns of some 20 or some 100 numbers are too short for a library's own product.
+Eigen::VectorXd sum_of_columns(const Eigen::MatrixXd& matrix, const double* x) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(matrix.rows());
+  in_wide_registers([to = sum.data(), first = matrix.data(), n = matrix.rows(), n_columns = matrix.cols(), x] {
+    Eigen::Index k = 0;
+    for (; k + 4 <= n_columns; k += 4) {
+      const double x0 = x[k], x1 = x[k + 1], x2 = x[k + 2], x3 = x[k + 3], *column = first + k * n;
+#pragma GCC ivdep
+      for (Eigen::Index i = 0; i < n; ++i)
+        to[i] += (x0 * column[i] + x1 * column[n + i]) + (x2 * column[2 * n + i] + x3 * column[3 * n + i]);
+    }
+    for (; k < n_columns; ++k)
+#pragma GCC ivdep
+      for (Eigen::Index i = 0; i < n; ++i) to[i] += x[k] * first[k * n + i];
+  });
+  return sum;
+}
+
 }  // namespace
 
 LayerModes::LayerModes(Eigen::MatrixXd shape_of_springs, Eigen::ArrayXd strength_of_modes)
     : shape(std::move(shape_of_springs)),
       strength(std::move(strength_of_modes)),
-      pulled(shape * strength.matrix().asDiagonal()) {
+      pulled(shape * strength.matrix().asDiagonal()),
+      at_springs(shape.transpose()) {
   for (Eigen::Index first = 0; first < shape.rows(); first += springs_of_block) {
     const Eigen::Index n = std::min(springs_of_block, shape.rows() - first);
     response_of_block_.emplace_back(shape.middleRows(first, n).transpose() * pulled.middleRows(first, n));
   }
+}
+
+Eigen::VectorXd LayerModes::shares_of(const Eigen::ArrayXd& load) const {
+  return sum_of_columns(at_springs, load.data());
+}
+
+Eigen::ArrayXd LayerModes::coupling_of(const Eigen::VectorXd& share) const {
+  return sum_of_columns(pulled, share.data()).array();
 }
 
 Eigen::MatrixXd LayerModes::response(const Eigen::ArrayXd& give) const {
@@ -83,7 +111,7 @@ LayerModes layer_modes(const LayerKernel& kernel, const SpringBed& bed) {
 }
 
 Eigen::ArrayXd coupling(const LayerModes& modes, const Eigen::ArrayXd& load) {
-  return (modes.pulled * (modes.shape.transpose() * load.matrix())).array();
+  return modes.coupling_of(modes.shares_of(load));
 }
 
 CoupledBed coupled_bed(const SpringBed& springs, const Layer& layer) {

@@ -19,9 +19,16 @@ namespace fretval::mdr {
 struct LayerModes {
   LayerModes(Eigen::MatrixXd shape, Eigen::ArrayXd strength);
 
-  Eigen::MatrixXd shape;    ///< springs x modes, orthonormal
-  Eigen::ArrayXd strength;  ///< above -1, so that depths determine the loads
-  Eigen::MatrixXd pulled;   ///< springs x modes, shape times strength: the coupling by each mode
+  Eigen::MatrixXd shape;       ///< springs x modes, orthonormal
+  Eigen::ArrayXd strength;     ///< above -1, so that depths determine the loads
+  Eigen::MatrixXd pulled;      ///< springs x modes, shape times strength: the coupling by each mode
+  Eigen::MatrixXd at_springs;  ///< modes x springs, the transposed shape: what belongs to a spring lies together
+
+  /// Share of the loads of the springs in each mode, sum_j shape_jm q_j.
+  [[nodiscard]] Eigen::VectorXd shares_of(const Eigen::ArrayXd& load) const;
+
+  /// Coupling of each spring under such shares.
+  [[nodiscard]] Eigen::ArrayXd coupling_of(const Eigen::VectorXd& share) const;
 
   /// What springs that give by g_j do to the modes, sum_j shape_jm g_j pulled_jn. Neighbours mostly give by the same;
   /// their part is known, so that it takes modes^2 for each 16 of them.

@@ -50,9 +50,10 @@ Eigen::ArrayXd fall_over_springs(const RowProblem& row, const Eigen::ArrayXd& co
 RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<double> sum) {
   const Eigen::ArrayXd &g = bed.springs.depth, one = Eigen::ArrayXd::Ones(g.size());
   RowProblem row{-g, one, one, Eigen::ArrayXd::Zero(g.size()), Eigen::ArrayXd::Constant(g.size(), infinity)};
-  const RowSolution without_rim = solve_row(bed.normal, row, (guess - g).max(0.0), guess, sum);
+  RowSolver solver(bed.normal);
+  const RowSolution without_rim = solver.solve(row, (guess - g).max(0.0), guess, sum);
   row.fall = fall_over_springs(row, without_rim.coupling, without_rim.y);
-  return solve_row(bed.normal, row, without_rim.load, without_rim.y, sum);
+  return solver.solve(row, without_rim.load, without_rim.y, sum);
 }
 
 [[noreturn]] void slide(double load, double most) {
@@ -65,7 +66,12 @@ RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<doubl
 }  // namespace
 
 CoupledStep::CoupledStep(const CoupledBed& bed, const PronyBody& body, double mu, double dt)
-    : bed_(bed), limit_(mu * spring_modulus_ratio(bed.layer.poisson_ratio)), dt_(dt), gain_sum_(0) {
+    : bed_(bed),
+      normal_row_(bed.normal),
+      tangential_row_(bed.tangential),
+      limit_(mu * spring_modulus_ratio(bed.layer.poisson_ratio)),
+      dt_(dt),
+      gain_sum_(0) {
   validate(body);
   require_positive("coefficient of friction", mu);
   require_positive("time step", dt);
@@ -135,7 +141,7 @@ CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const Pre
   } else {
     request.row.fall = fall_over_springs(request.row, coupled_before, request.guess);
   }
-  const RowSolution found = solve_row(bed_.normal, request.row, p, request.guess, request.sum);
+  const RowSolution found = normal_row_.solve(request.row, p, request.guess, request.sum);
   const Eigen::ArrayXd touching = found.y - g;
   const Eigen::ArrayXd tips =
       tip_under(found.load + found.coupling, coupled_before, u, state.normal_memory).max(touching);
@@ -181,7 +187,7 @@ CoupledStep::Tangential CoupledStep::tangential_step(const SpringState& state, c
   const Eigen::ArrayXd coupled_before = coupling(bed_.tangential, t);
   const Eigen::ArrayXd free_tips = tip_under(coupled_before, coupled_before, v, state.tangential_memory);
   const Request request = tangential_request(state, prescribed, normal, free_tips);
-  const RowSolution found = solve_row(bed_.tangential, request.row, t, request.guess, request.sum);
+  const RowSolution found = tangential_row_.solve(request.row, t, request.guess, request.sum);
   const Flags in_contact = normal.load > 0, sticks = in_contact && found.load.abs() < request.row.upper,
               touches = in_contact || state.normal_load > 0;
   const Eigen::ArrayXd slipping =

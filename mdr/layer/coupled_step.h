@@ -68,10 +68,11 @@ class CoupledStep {
                                            const Normal& normal) const;
 
   const CoupledBed& bed_;
-  double limit_;               // mu E*/G*
-  double dt_;                  // s
-  std::vector<double> decay_;  // exp(-dt/tau_i)
-  std::vector<double> gain_;   // (G_i/G0) (tau_i/dt) (1 - decay_i)
+  mutable RowSolver normal_row_, tangential_row_;  // what they remember changes how fast they are, and nothing else
+  double limit_;                                   // mu E*/G*
+  double dt_;                                      // s
+  std::vector<double> decay_;                      // exp(-dt/tau_i)
+  std::vector<double> gain_;                       // (G_i/G0) (tau_i/dt) (1 - decay_i)
   double gain_sum_, stiffness_;
   double viscosity_;  // eta/G0 in s
   double theta_;      // weight of the end of the step in the exponentially fitted rule

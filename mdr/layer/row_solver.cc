@@ -1,6 +1,5 @@
 #include "mdr/layer/row_solver.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
@@ -17,10 +16,12 @@ namespace {
 
 class Newton {
  public:
-  Newton(const LayerModes& modes, const RowProblem& problem, const Eigen::ArrayXd& before, double y)
+  Newton(const LayerModes& modes, ModeEquations& equations, const RowProblem& problem, const Eigen::ArrayXd& before,
+         double y)
       : modes_(modes),
+        equations_(equations),
         problem_(problem),
-        share_(modes.shape.transpose() * before.matrix()),
+        share_(modes.shares_of(before)),
         y_(y),
         load_(before.size()),
         rim_load_(before.size()),
@@ -48,11 +49,10 @@ class Newton {
 
  private:
   void update() {
-    coupling_.matrix().noalias() = modes_.pulled * share_;
+    coupling_ = modes_.coupling_of(share_);
     in_wide_registers([&] { find_loads(); });
-    all_loads_ = (load_ + rim_load_).matrix();
-    rest_.noalias() = modes_.shape.transpose() * all_loads_;
-    rest_ -= share_;
+    all_loads_ = load_ + rim_load_;
+    rest_ = modes_.shares_of(all_loads_) - share_;
   }
 
   // One pass over the springs without a branch, so that the compiler vectorises it.
@@ -78,55 +78,50 @@ class Newton {
 
   // A spring on the verge of its limit may go to and fro across it for ever, by roundoff.
   [[nodiscard]] bool is_solved(std::optional<double> sum, double tolerance) const {
-    const double scale = tolerance * all_loads_.norm(), n = static_cast<double>(load_.size());
+    const double scale = tolerance * all_loads_.matrix().norm(), n = static_cast<double>(load_.size());
     return rest_.norm() <= scale && (!sum || std::abs(*sum - all_loads_.sum()) <= scale * std::sqrt(n));
   }
 
   bool advance(std::optional<double> sum, double damping) {
-    const Eigen::Index n = share_.size(), n_all = n + (sum ? 1 : 0);
-    Eigen::MatrixXd slope = Eigen::MatrixXd::Identity(n_all, n_all);
-    slope.topLeftCorner(n, n) += modes_.response(give_);
-    Eigen::VectorXd rest(n_all);
-    rest.head(n) = rest_;
+    equations_.take(give_);
+    Eigen::VectorXd move = equations_.solve(rest_);
+    double move_of_y = 0;
     if (sum) {
-      rest[n] = *sum - all_loads_.sum();
-      slope.bottomLeftCorner(1, n) = -(give_.matrix().transpose() * modes_.pulled);
-      slope.topRightCorner(n, 1) = -(modes_.shape.transpose() * (give_ * problem_.slope).matrix());
-      slope(n, n) = (give_ * problem_.slope).sum();
-      if (slope(n, n) <= 0) return false;
+      const Eigen::ArrayXd by_y = give_ * problem_.slope;
+      const double give_of_sum = by_y.sum();
+      if (give_of_sum <= 0) return false;
+      const Eigen::VectorXd of_y = equations_.solve(modes_.shares_of(by_y));
+      const auto taken_by_coupling = [&](const Eigen::VectorXd& share) {
+        return (give_ * modes_.coupling_of(share)).sum();
+      };
+      move_of_y = (*sum - all_loads_.sum() + taken_by_coupling(move)) / (give_of_sum - taken_by_coupling(of_y));
+      move += move_of_y * of_y;
     }
-    if (n_all > 0) {
-      const Eigen::VectorXd move = damping * slope.partialPivLu().solve(rest);
-      if (!move.allFinite()) return false;
-      share_ += move.head(n);
-      if (sum) y_ += move[n];
-    }
+    if (!move.allFinite() || !std::isfinite(move_of_y)) return false;
+    share_ += damping * move;
+    y_ += damping * move_of_y;
     update();
     return true;
   }
 
   const LayerModes& modes_;
+  ModeEquations& equations_;
   const RowProblem& problem_;
   Eigen::VectorXd share_;  // of all loads in each mode
   double y_;
-  Eigen::ArrayXd coupling_, load_, rim_load_;
-  Eigen::VectorXd all_loads_, rest_;  // rest: of the share of the loads in each mode
-  Eigen::ArrayXd at_limit_;           // -1 lower, 1 upper, 0 between
-  Eigen::ArrayXd give_;               // of both loads, by what the equation has on its right
+  Eigen::ArrayXd coupling_, load_, rim_load_, all_loads_;
+  Eigen::VectorXd rest_;     // of the share of the loads in each mode
+  Eigen::ArrayXd at_limit_;  // -1 lower, 1 upper, 0 between
+  Eigen::ArrayXd give_;      // of both loads, by what the equation has on its right
 };
 
-[[noreturn]] void not_found() {
-  throw std::runtime_error("the loads of the coupled springs were not found in a time step");
-}
+}  // namespace
+
+RowSolver::RowSolver(const LayerModes& modes) : modes_(modes), equations_(modes) {}
 
 // Where Newton's method for both at once does not come to an end: the sum rises with y, so a bracket finds it.
-RowSolution bracketed(const LayerModes& modes, const RowProblem& problem, const Eigen::ArrayXd& before, double guess,
-                      double sum) {
-  const auto at = [&](double y) {
-    Newton newton(modes, problem, before, y);
-    if (!newton.solve({})) not_found();
-    return newton.solution();
-  };
+RowSolution RowSolver::bracketed(const RowProblem& problem, const Eigen::ArrayXd& before, double guess, double sum) {
+  const auto at = [&](double y) { return solve(problem, before, y); };
   const auto excess = [&](double y) {
     const RowSolution found = at(y);
     return (found.load + found.rim_load).sum() - sum;
@@ -143,14 +138,12 @@ RowSolution bracketed(const LayerModes& modes, const RowProblem& problem, const 
   return at((bracket.first + bracket.second) / 2);
 }
 
-}  // namespace
-
-RowSolution solve_row(const LayerModes& modes, const RowProblem& problem, const Eigen::ArrayXd& before, double guess,
-                      std::optional<double> sum) {
-  Newton newton(modes, problem, before, guess);
+RowSolution RowSolver::solve(const RowProblem& problem, const Eigen::ArrayXd& before, double guess,
+                             std::optional<double> sum) {
+  Newton newton(modes_, equations_, problem, before, guess);
   if (newton.solve(sum)) return newton.solution();
-  if (!sum) not_found();
-  return bracketed(modes, problem, before, guess, *sum);
+  if (!sum) throw std::runtime_error("the loads of the coupled springs were not found in a time step");
+  return bracketed(problem, before, guess, *sum);
 }
 
 }  // namespace fretval::mdr

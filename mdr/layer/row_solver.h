@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mdr/layer/coupled_bed.h"
+#include "mdr/layer/mode_equations.h"
 
 namespace fretval::mdr {
 
@@ -32,12 +33,23 @@ struct RowSolution {
   double y;                 ///< m
 };
 
-/// Solves a row by a semismooth Newton method in the amplitudes of the modes, which starts from the loads of the step
+/// Solves rows by a semismooth Newton method in the amplitudes of the modes, which starts from the loads of the step
 /// before: one linear solve, with as many unknowns as modes, for each change of the set of springs at a limit, mostly 2
-/// or 3. sum: sum(load + rim_load) in m, prescribed instead of y; empty: y is guess. guess: y, or where the search for
-/// it starts. Throws std::runtime_error where the loads were not found, std::invalid_argument for a sum that no y
-/// gives.
-RowSolution solve_row(const LayerModes& modes, const RowProblem& problem, const Eigen::ArrayXd& before, double guess,
-                      std::optional<double> sum = {});
+/// or 3. What it has factored for one row serves the next (ModeEquations).
+class RowSolver {
+ public:
+  explicit RowSolver(const LayerModes& modes);  ///< which outlive the solver
+
+  /// sum: sum(load + rim_load) in m, prescribed instead of y; empty: y is guess. guess: y, or where the search for it
+  /// starts. Throws std::runtime_error where the loads were not found, std::invalid_argument for a sum that no y gives.
+  RowSolution solve(const RowProblem& problem, const Eigen::ArrayXd& before, double guess,
+                    std::optional<double> sum = {});
+
+ private:
+  RowSolution bracketed(const RowProblem& problem, const Eigen::ArrayXd& before, double guess, double sum);
+
+  const LayerModes& modes_;
+  ModeEquations equations_;
+};
 
 }  // namespace fretval::mdr

@@ -37,7 +37,7 @@ SpringHistory history_with(const HistoryOfSprings& history, const PronyBody& bod
 SpringFineness halved(SpringFineness fineness) {
   fineness.n_springs /= 2;
   fineness.steps_per_oscillation /= 2;
-  fineness.n_ramp_periods /= 2;
+  fineness.n_ramp_periods = std::max(1, fineness.n_ramp_periods / 2);
   fineness.n_oscillations /= 2;
   return fineness;
 }

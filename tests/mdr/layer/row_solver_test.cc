@@ -46,10 +46,10 @@ TEST(RowSolver, FulfilsEveryConditionFromAnyStart) {
   std::mt19937 random{7};
   for (int i = 0; i < 300; ++i) {
     const RowProblem problem = draw(random, i % 2 == 0);
-    const RowSolution cold = solve_row(bed().normal, problem, Eigen::ArrayXd::Zero(60), 0.3);
+    const RowSolution cold = RowSolver(bed().normal).solve(problem, Eigen::ArrayXd::Zero(60), 0.3);
     expect_solves(problem, cold);
     EXPECT_EQ(cold.y, 0.3);
-    const RowSolution warm = solve_row(bed().normal, problem, cold.load, 0.3);
+    const RowSolution warm = RowSolver(bed().normal).solve(problem, cold.load, 0.3);
     EXPECT_LT((warm.load - cold.load).abs().maxCoeff(), 1e-13);
   }
 }
@@ -60,7 +60,7 @@ TEST(RowSolver, FindsThePositionOfASum) {
     RowProblem problem = draw(random, i % 2 == 0);
     if (i % 2 == 0) problem.slope = problem.slope.abs();
     const double sum = i % 2 == 0 ? 0.7 * problem.upper.sum() : 3;
-    const RowSolution found = solve_row(bed().normal, problem, Eigen::ArrayXd::Zero(60), 0.1, sum);
+    const RowSolution found = RowSolver(bed().normal).solve(problem, Eigen::ArrayXd::Zero(60), 0.1, sum);
     expect_solves(problem, found);
     EXPECT_NEAR(found.load.sum(), sum, 1e-11);
   }
@@ -70,18 +70,18 @@ TEST(RowSolver, WithoutModesEverySpringIsByItself) {
   std::mt19937 random{9};
   const RowProblem problem = draw(random, true);
   const LayerModes none{Eigen::MatrixXd(60, 0), Eigen::ArrayXd(0)};
-  const RowSolution found = solve_row(none, problem, Eigen::ArrayXd::Zero(60), 0.2);
+  const RowSolution found = RowSolver(none).solve(problem, Eigen::ArrayXd::Zero(60), 0.2);
   const Eigen::ArrayXd expected =
       ((problem.value + problem.slope * 0.2) / problem.stretch).max(problem.lower).min(problem.upper);
   EXPECT_EQ((found.load - expected).abs().maxCoeff(), 0);
-  EXPECT_NEAR(solve_row(none, problem, Eigen::ArrayXd::Zero(60), 0.2, 0.5 * problem.upper.sum()).load.sum(),
+  EXPECT_NEAR(RowSolver(none).solve(problem, Eigen::ArrayXd::Zero(60), 0.2, 0.5 * problem.upper.sum()).load.sum(),
               0.5 * problem.upper.sum(), 1e-12);
 }
 
 TEST(RowSolver, SaysThatNoPositionGivesASum) {
   std::mt19937 random{10};
   const RowProblem problem = draw(random, true);
-  EXPECT_THROW(solve_row(bed().normal, problem, Eigen::ArrayXd::Zero(60), 0, 2 * problem.upper.sum()),
+  EXPECT_THROW(RowSolver(bed().normal).solve(problem, Eigen::ArrayXd::Zero(60), 0, 2 * problem.upper.sum()),
                std::invalid_argument);
 }
 
