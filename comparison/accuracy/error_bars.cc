@@ -189,33 +189,36 @@ void carry_calibration(const FemCase& fem, const Computation& computation, Error
   if (calibration > 0 && found != budget.end()) found->second.add(ErrorSource::edge, calibration / fem.units.length);
 }
 
-/// What steps within which sliding ends put the quantities off by.
-Quantities off_by_steps(const FemCase& fem, const Computation& computation) {
+/// Shares of readings of the cycle, each over the scale of its quantity.
+Quantities over_scales(const FemCase& fem, const Computation& computation,
+                       const std::map<Quantity, double> CycleReadings::*shares) {
   Quantities all;
   if (!computation.failure.empty() || !computation.fe.cycle) return all;
   const auto readings = readings_of(computation.fe, fem.units);
   const auto scales = scales_of(computation.fe, fem.units);
-  for (const auto& [quantity, off] : computation.fe.cycle->off_by_steps)
-    if (const auto found = readings.find(quantity); found != readings.end() && off != 0)
-      all[quantity] = off / scale_of(quantity, scales, found->second.value.value_or(0));
+  for (const auto& [quantity, share] : *computation.fe.cycle.*shares)
+    if (const auto found = readings.find(quantity); found != readings.end() && share != 0)
+      all[quantity] = share / scale_of(quantity, scales, found->second.value.value_or(0));
   return all;
 }
 
-/// The quantities by resolution without that, which would hide the order in which they converge. Of a body with memory
-/// it is a bound alone: what is locked in fades.
+/// The quantities by resolution without what steps within which sliding ends put them off by, which would hide the
+/// order in which they converge. Of a body with memory it is a bound alone: what is locked in fades.
 std::map<Resolution, Quantities> converging_quantities(const FemCase& fem, const Computations& computed) {
   auto all = computed.quantities();
   if (fem.relaxation.has_memory()) return all;
   for (auto& [resolution, quantities] : all)
-    for (const auto& [quantity, off] : off_by_steps(fem, computed.at(resolution)))
+    for (const auto& [quantity, off] : over_scales(fem, computed.at(resolution), &CycleReadings::off_by_steps))
       if (const auto found = quantities.find(quantity); found != quantities.end()) found->second -= off;
   return all;
 }
 
-void carry_off_by_steps(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
-  for (const auto& [quantity, off] : off_by_steps(fem, computation))
-    if (const auto bar = budget.find(quantity); bar != budget.end())
-      bar->second.add(ErrorSource::time_step, std::abs(off));
+/// What single steps are off by whatever is computed with other ones.
+void carry_single_steps(const FemCase& fem, const Computation& computation, ErrorBudget& budget) {
+  for (const auto shares : {&CycleReadings::off_by_steps, &CycleReadings::between_steps})
+    for (const auto& [quantity, share] : over_scales(fem, computation, shares))
+      if (const auto bar = budget.find(quantity); bar != budget.end())
+        bar->second.add(ErrorSource::time_step, std::abs(share));
 }
 
 /// A relative bar of the whole value leaves open whether there is anything. In logarithms nothing is infinitely far
@@ -279,7 +282,7 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
     carry_calibration(prepared.fem, computed.at(resolution), bars);
-    if (shares != BarShares::of_rings) carry_off_by_steps(prepared.fem, computed.at(resolution), bars);
+    if (shares != BarShares::of_rings) carry_single_steps(prepared.fem, computed.at(resolution), bars);
     if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

@@ -27,8 +27,11 @@ struct CycleReadings {
   Readings readings;     ///< of cycle_work the uncertainty alone: its value is friction_work + bulk_work
   double sliding_force;  ///< mu times the largest normal force
   double sliding_work;   ///< what sliding under that force along the whole tangential path would cost
-  /// What was computed less what small steps give, as far as steps within which sliding ends put readings off; SI units.
+  /// What was computed less what small steps give, as far as steps within which sliding ends put readings off; SI
+  /// units.
   std::map<Quantity, double> off_by_steps = {};
+  /// How far extremes that lie between steps may be from what is read; SI units.
+  std::map<Quantity, double> between_steps = {};
 
   [[nodiscard]] double value(Quantity quantity) const;        ///< 0: there is none
   [[nodiscard]] double uncertainty(Quantity quantity) const;  ///< 0: there is none

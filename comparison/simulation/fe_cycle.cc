@@ -29,7 +29,8 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
        {Quantity::friction_work, off.work * work},
        {Quantity::bulk_work, off.work * work},
        {Quantity::cycle_work, off.work * work},
-       {Quantity::tangential_work, off.work * work}}};
+       {Quantity::tangential_work, off.work * work}},
+      {{Quantity::tangential_force_max, cycle.largest_between_steps * force}}};
 }
 
 CycleReadings cycle_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {

@@ -4,33 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "fem/motion/sampled_minimum.h"
 #include "fem/support/wide_registers.h"
 
 namespace fretval::fem {
 namespace {
-
-/// Five samples at -2, ..., 2 by their central differences (Stirling): f0 + x s + x^2/2 c + x (x^2 - 1)/6 t +
-/// x^2 (x^2 - 1)/24 q. The middle one is the smallest of the inner three.
-struct Differences {
-  double f0, s, c, t, q;
-
-  Differences(double a, double b, double f, double d, double e)
-      : f0(f), s((d - b) / 2), c(d - 2 * f + b), t((e - 2 * d + 2 * b - a) / 2), q(e - 4 * d + 6 * f - 4 * b + a) {}
-
-  [[nodiscard]] bool smooth() const { return std::abs(t) < c / 2 && std::abs(q) < c / 2; }
-  [[nodiscard]] double vertex_of_parabola() const { return c > 0 ? f0 - s * s / (2 * c) : f0; }
-
-  [[nodiscard]] double minimum_of_quartic() const {
-    constexpr int enough_iterations = 4;
-    double x = -s / c;
-    for (int k = 0; k < enough_iterations; ++k) {
-      const double slope = s + x * c + (3 * x * x - 1) / 6 * t + x * (2 * x * x - 1) / 12 * q;
-      x = std::clamp(x - slope / (c + x * t + (6 * x * x - 1) / 12 * q), -1.0, 1.0);
-    }
-    const double rest = x * x - 1;
-    return f0 + x * s + x * x / 2 * c + x * rest / 6 * t + x * x * rest / 24 * q;
-  }
-};
 
 /// Whether the middle one of three samples may have a minimum beside it that is lower than what is known. Smooth
 /// samples have none lower than their parabola by 0.0375 of its second difference c: between samples third differences
@@ -80,8 +58,8 @@ void RunningMinimum::see_last(const std::optional<StepInPiece>& step) {
   for (Eigen::Index i = 0; n_minima > 0; ++i) {
     if (!may_be_lower(b[i], middle[i], d[i], least[i])) continue;
     --n_minima;
-    const Differences differences(a[i], b[i], middle[i], d[i], e[i]);
-    const double smallest = differences.smooth() ? differences.minimum_of_quartic() : differences.vertex_of_parabola();
+    const SampledMinimum sampled(a[i], b[i], middle[i], d[i], e[i]);
+    const double smallest = sampled.smooth() ? sampled.minimum_of_quartic() : sampled.vertex_of_parabola();
     least[i] = std::min(least[i], std::max(smallest, floor_));
   }
 }

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "fem/motion/peak_bounds.h"
 #include "fem/motion/running_minimum.h"
+#include "fem/ring_contact/stick_zone/largest_force.h"
 #include "fem/support/constants.h"
 
 namespace fretval::fem {
@@ -82,12 +84,13 @@ CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion
   return {friction.force[largest] < 0 ? -off[largest] : off[largest], off.mean(), work};
 }
 
-/// Largest |F_x| of the last period. Between the samples it is not more than mu times the largest of the normal forces
-/// next to the largest sample: where a sliding contact turns, what interpolates goes beyond that.
-double largest_tangential_force(double friction_coefficient, const Motion& motion, const NormalHistory& normal,
-                                const FrictionHistory& friction) {
+/// Largest |F_x| of the last period, with what reading it between the samples leaves open. It is not more than mu times
+/// the largest of the normal forces next to the largest sample: where a sliding contact turns, what interpolates goes
+/// beyond that.
+LargestForce largest_tangential_force(double friction_coefficient, const Motion& motion, const NormalHistory& normal,
+                                      const FrictionHistory& friction) {
   const double read = largest_magnitude_of_period(friction.force, normal.pieces);
-  if (motion.tangential_force) return read;
+  if (motion.tangential_force) return {read, 0};
   const auto n = friction.force.size();
   Eigen::Index largest = 0;
   const double sample = friction.force.cwiseAbs().maxCoeff(&largest);
@@ -96,7 +99,13 @@ double largest_tangential_force(double friction_coefficient, const Motion& motio
     const auto column = normal.column(friction.n_steps - n + (k + n) % n + 1);
     limit = std::max(limit, friction_coefficient * (normal.force[column] + normal.force_beyond[column]));
   }
-  return std::min(read, std::max(sample, limit));
+  limit = std::max(sample, limit);
+  const double value = std::min(read, limit);
+  if (motion.path) return {value, 0};  // whose kinks are at its rows
+  const auto forward = peak_bounds(friction.force), backward = peak_bounds(-friction.force);
+  const double least = std::max(forward.least, backward.least),
+               most = std::min(limit, std::max(forward.most, backward.most));
+  return {value, std::max({0.0, value - least, most - value})};
 }
 
 double path_to_and_fro(const Motion& motion, double amplitude) {
@@ -140,7 +149,8 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   const double tangential = motion.tangential_force ? -middle_of(friction.indenter).dot(along) : pull.dot(along),
                pressed = normal_work_along(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_tangential_force(friction_coefficient, motion, normal, friction);
+  const auto largest = largest_tangential_force(friction_coefficient, motion, normal, friction);
+  response.tangential_force_max = largest.value;
   for (Eigen::Index k = 0; k <= last; ++k)
     response.tangential_force_mean += pull[k] * pieces[static_cast<std::size_t>(k)].duration() / (2 * pi);
   response.friction_work = once || relaxation.has_memory() ? friction.dissipated_energy : tangential;
@@ -149,6 +159,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  response.largest_between_steps = largest.uncertainty;
   if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
   response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
@@ -173,7 +184,8 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   const double tangential = motion.tangential_force ? -friction.indenter.dot(along) : friction.force.dot(along),
                pressing = normal_work(motion, normal);
   CycleResponse response{};
-  response.tangential_force_max = largest_tangential_force(friction_coefficient, motion, normal, friction);
+  const auto largest = largest_tangential_force(friction_coefficient, motion, normal, friction);
+  response.tangential_force_max = largest.value;
   response.tangential_force_mean = friction.force.mean();
   response.friction_work = relaxation.has_memory() ? friction.dissipated_energy : tangential;
   response.bulk_work = relaxation.has_memory() ? tangential + pressing - response.friction_work : 0;
@@ -181,6 +193,7 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
+  response.largest_between_steps = largest.uncertainty;
   response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
 }

@@ -31,6 +31,7 @@ struct CycleResponse {
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   CycleUncertainty uncertainty = {};  ///< from the reading of the rings
   CycleOffset off_by_steps = {};
+  double largest_between_steps = 0;  ///< how far the largest |F_x| may lie from what is read between the steps
 };
 
 /// Area of the normal loop, `oint F_N dd`; for a single pass the work of the normal force.

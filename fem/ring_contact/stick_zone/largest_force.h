@@ -4,8 +4,8 @@
 
 namespace fretval::fem {
 
-/// Largest normal force of the periodic state, dimensionless, and the uncertainty of its reading: of the edges at the
-/// samples (see ContactForce), and of the peak between the samples.
+/// Largest force of the periodic state, dimensionless, and the uncertainty of its reading: of the peak between the
+/// samples, and of a normal force that of the edges at the samples (see ContactForce).
 struct LargestForce {
   double value, uncertainty;
 };

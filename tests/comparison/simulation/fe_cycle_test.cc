@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/comparison/some_cycle.h"
 
 namespace fretval::fe_cycle_test {
@@ -21,6 +23,29 @@ TEST(FeCycle, IsInTheUnitsOfItsCase) {
   EXPECT_EQ(cycle.value(Quantity::tangential_work), 12);
   EXPECT_EQ(cycle.value(Quantity::bulk_work), 0) << "a body without memory";
   EXPECT_GE(cycle.value(Quantity::tangential_force_max), 12);
+}
+
+// A force in saw teeth, whose peaks no five samples tell.
+TEST(FeCycle, HasWhatSingleStepsLeaveOpenInNewtons) {
+  constexpr int n = 24;
+  FemCase fem{};
+  fem.units = {1, 2, 3, 1};  // 6 N
+  fem.motion = fem::one_frequency(0.8, 0.2, 0.1, 0.7);
+  fem::NormalHistory normal;
+  fem::FrictionHistory friction;
+  normal.steps_per_cycle = friction.n_steps = n;
+  for (auto* zero : {&normal.time, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
+                     &normal.force_beyond_uncertainty, &friction.indenter, &friction.force_uncertainty})
+    zero->setZero(n);
+  normal.force.setConstant(n, 100);
+  fem.friction_coefficient = 0.5;
+  friction.force_off_by_steps.setConstant(n, -0.25);
+  friction.force.resize(n);
+  for (int k = 0; k < n; ++k) friction.force[k] = k % 12 - 3;  // 8 at most; it goes on rising by 1 in a step
+  const auto cycle = cycle_of(fem, 100, normal, friction).value();
+  EXPECT_EQ(cycle.off_by_steps.at(Quantity::tangential_force_max), -1.5);
+  const double peak = cycle.value(Quantity::tangential_force_max);
+  EXPECT_NEAR(cycle.between_steps.at(Quantity::tangential_force_max), std::max(peak - 48, 54 - peak), 1e-9);
 }
 
 TEST(FeCycle, TakesOverTheChangeFromOneContactToAnother) {

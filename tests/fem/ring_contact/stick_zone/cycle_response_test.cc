@@ -174,6 +174,26 @@ TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
     }
 }
 
+// A force that stands at its largest sample and falls from there within a step: its peak is no less than that sample
+// and no more than mu F_N. A smooth one is known, and so is one that is prescribed.
+TEST(CycleResponse, LeavesOpenWhereAForceThatBendsIsLargest) {
+  auto s = sampled(72);
+  const auto response = [&] { return cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction); };
+  EXPECT_LT(response().largest_between_steps, 1e-5);
+  s.friction.force.setConstant(0.1);
+  for (Eigen::Index k = 0; k <= 40; ++k) s.friction.force[k] = 0.1 + 0.01 * static_cast<double>(k);
+  s.friction.force[41] = 0.45;
+  const auto bent = response();
+  EXPECT_NEAR(bent.tangential_force_max, 0.5 + 0.02 * 0.02 / (2 * 0.06), 1e-12);     // the vertex of a parabola
+  EXPECT_NEAR(bent.largest_between_steps, 0.51 - bent.tangential_force_max, 1e-12);  // what rises goes on rising
+  s.normal.force.setConstant(2 * 0.503);
+  const auto limited = response();
+  EXPECT_NEAR(limited.tangential_force_max, 0.503, 1e-12);
+  EXPECT_NEAR(limited.largest_between_steps, 0.503 - 0.5, 1e-12);
+  s.motion.tangential_force = true;
+  EXPECT_EQ(response().largest_between_steps, 0);
+}
+
 TEST(CycleResponse, WithoutMemoryFrictionTakesTheTangentialLoop) {
   const auto s = sampled(24);
   const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
