@@ -13,6 +13,7 @@
 #include "fem/ring_contact/friction_force.h"
 #include "fem/ring_contact/pressure_for_friction.h"
 #include "fem/ring_contact/sliding_ends.h"
+#include "fem/ring_contact/unseen_slip.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -366,6 +367,8 @@ FrictionHistory friction_history(WatchedFriction friction, const NormalHistory& 
                                 !contact.motion().is_single_pass());
   way.report_forces();
   history.amplitude = friction.period.amplitude(contact.motion());
+  history.unseen_slip_energy =
+      unseen_slip_energy(contact.problem().series, friction.period.depths(), friction.period.limit_depths());
   history.slip_of_periods = std::move(friction.slip_of_periods);
   return history;
 }

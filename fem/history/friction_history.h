@@ -33,6 +33,7 @@ struct FrictionHistory {
   double dissipated_energy = 0;        ///< by friction in the last period, see PunchSeries
   double dissipated_uncertainty = 0;   ///< of dissipated_energy, see PunchSeries::Integral
   Eigen::VectorXd friction_work;       ///< per ring: by friction in the last period
+  double unseen_slip_energy = 0;       ///< in an oscillation, where no ring slips: see unseen_slip_energy
   Eigen::MatrixXd traction;            ///< n_rings x steps per period: the last period
   std::vector<Eigen::VectorXd> slip_of_periods;  ///< per ring: length of slip in every period that was computed
 };

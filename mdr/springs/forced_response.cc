@@ -65,6 +65,24 @@ ForcedResponse response_of(const ContactRadius& radius_at, double mu, const Spri
           history.tangential_work};
 }
 
+// Share of the contact radius within which springs let go of the indenter for a part of each period, because the
+// dashpot would hold them back, where that is less than a spring: no sum over springs sees what they do not lose. They
+// are those whose load would fall below 0, by the rate and by what the branches pull at most.
+double unseen_edge(const NormalResponse& normal, const PronyBody& body, const std::function<double(double)>& g,
+                   Eigen::Index n_springs) {
+  const auto &d = normal.indentation, &time = normal.time;
+  const std::size_t n = d.size() - 1;
+  if (body.viscosity == 0 || n < 2) return 0;
+  const auto [shallowest, deepest] = std::minmax_element(d.begin(), d.end());
+  const double viscous = body.viscosity / body.relaxed_modulus / (2 * (time[1] - time[0]));
+  double lowest = *shallowest;
+  for (std::size_t k = 0; k < n; ++k) lowest = std::min(lowest, d[k] + viscous * (d[k + 1] - d[(k + n - 1) % n]));
+  for (const double modulus : body.branch_moduli) lowest -= modulus / body.relaxed_modulus * (*deepest - *shallowest);
+  constexpr double beside = 0.01;  // of the radius
+  const double a = normal.contact_radius_max, share = beside * (*deepest - lowest) / (g(a) - g((1 - beside) * a));
+  return share * static_cast<double>(n_springs) < 1 ? share : 0;
+}
+
 SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                         const std::function<double(double)>& g, double outer_radius,
                                         const PronyBody& body, double mu, const Prescribed& prescribed,
@@ -99,6 +117,8 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
   extrapolate([](auto& r) -> auto& { return r.tangential_work; });
+  stepped.error.bulk_work +=
+      stepped.response.bulk_work * unseen_edge(stepped.response.normal, body, g, 2 * fineness.n_springs);
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))
     stepped.response.normal.axis_pressure = {stepped.response.axis_pressure_max, stepped.error.axis_pressure_max};
   return stepped;

@@ -58,6 +58,9 @@ CycleUncertainty uncertainty_of(const RelaxationModel& relaxation, const Motion&
     uncertainty.cycle_work = uncertainty.tangential_work = friction.force_uncertainty.dot(along.cwiseAbs());
   }
   uncertainty.friction_work = relaxation.has_memory() ? friction.dissipated_uncertainty : uncertainty.cycle_work;
+  const double unseen = motion.cycles_per_period() * friction.unseen_slip_energy;
+  for (double* work : {&uncertainty.friction_work, &uncertainty.cycle_work, &uncertainty.tangential_work})
+    *work += unseen;
   if (!motion.normal_force)
     uncertainty.cycle_work += (normal.force_uncertainty + normal.force_beyond_uncertainty).dot(down.cwiseAbs());
   return uncertainty;

@@ -150,6 +150,21 @@ TEST(ForcedResponse, OfABodyWithADashpotHasSettledWhateverTheRamp) {
   EXPECT_TRUE(agree(&ForcedResponse::tangential_force_mean));
 }
 
+// A small oscillation against a dashpot, which holds the outermost 0.3 % of the contact back for a part of the period:
+// 200 springs do not see that these lose less, and 64 times as many do.
+TEST(ForcedResponse, KnowsThatSpringsWhichLetGoAreFewerThanOne) {
+  const auto body = kelvin_voigt(1e6, 1e6);
+  const double indentation = 1e-4, small = 7e-8;
+  const Prescribed prescribed{{indentation, {{small, 1, 0}}, {{small / 100, 1, 1}}, true}, false, false};
+  const auto stepped = forced_response(parabola(1e-2), body, mu, prescribed, {100, 90, 5, 1e-5}),
+             resolved = forced_response(parabola(1e-2), body, mu, prescribed, {6400, 90, 5, 1e-5});
+  const double off = std::abs(stepped.response.bulk_work - resolved.response.bulk_work);
+  EXPECT_GT(off, 5e-4 * resolved.response.bulk_work);
+  EXPECT_LT(off, stepped.error.bulk_work);
+  EXPECT_LT(stepped.error.bulk_work, 5e-3 * resolved.response.bulk_work);
+  EXPECT_LT(resolved.error.bulk_work, stepped.error.bulk_work / 4) << "which sees them";
+}
+
 TEST(ForcedResponse, SaysThatTheContactSlides) {
   auto prescribed = both_forces(0);
   prescribed.motion.tangential[0].amplitude = 0.4;

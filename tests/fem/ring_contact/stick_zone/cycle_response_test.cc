@@ -76,6 +76,11 @@ TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
   EXPECT_NEAR(with_memory.cycle_work, 4 * (0.002 * 0.1 + 0.003 * 0.2), 1e-7);
   const auto elastic = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
   EXPECT_NEAR(elastic.friction_work, 4 * 0.002 * 0.1, 1e-7);
+  s.friction.unseen_slip_energy = 0.01;
+  const auto unseen = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_NEAR(unseen.friction_work - elastic.friction_work, 0.01, 1e-15);
+  EXPECT_NEAR(unseen.tangential_work - elastic.tangential_work, 0.01, 1e-15);
+  EXPECT_NEAR(unseen.cycle_work - elastic.cycle_work, 0.01, 1e-15);
   s.motion.tangential_force = true;
   const auto prescribed = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
   EXPECT_EQ(prescribed.tangential_force_max, 0);
