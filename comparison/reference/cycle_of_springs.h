@@ -41,22 +41,31 @@ void leave_out_unknown_force(const MdrCase& mdr, CycleReadings& cycle);
 /// tangential displacements are over `displacement`.
 void divide_works(double displacement, CycleReadings& cycle);
 
-/// Takes over stick radii and the largest indentation of a response that was stepped under forces, with their errors.
+/// Takes over stick radii and the largest indentation of a response that was stepped, with their errors. Of an answer
+/// that knows its contact radius already, which no stick radius exceeds.
 template <class Response>
 void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
                  const Response& response, const Response& error, MdrAnswer& answer) {
-  const auto radii_at = [&](double first_slip, double shakedown) {
-    if (!mdr.layer) return mdr::stick_radii(mdr.profile, {first_slip, shakedown});
-    return mdr::StickRadii{mdr::zone_radius(mdr.profile, first_slip), mdr::zone_radius(mdr.profile, shakedown)};
+  const auto radius_at = [&](double depth) -> std::optional<double> {
+    if (!mdr.layer) return mdr::stick_radii(mdr.profile, {depth, depth}).shakedown;
+    const auto radius = mdr::zone_radius(mdr.profile, depth);
+    return radius && answer.contact_radius_max ? std::min(*radius, *answer.contact_radius_max) : radius;
   };
-  const auto radii = radii_at(depths.first_slip, depths.shakedown),
-             farther = radii_at(depths.first_slip + depth_errors.first_slip, depths.shakedown + depth_errors.shakedown);
-  const auto off = [](const std::optional<double>& radius, const std::optional<double>& other) {
-    return radius && other ? *other - *radius : 0;
+  const auto radii_at = [&](double errors) {
+    return mdr::StickRadii{radius_at(depths.first_slip + errors * depth_errors.first_slip),
+                           radius_at(depths.shakedown + errors * depth_errors.shakedown)};
+  };
+  const auto radii = radii_at(0), farther = radii_at(1), nearer = radii_at(-1);
+  // Without a radius nothing sticks.
+  const auto off = [](const std::optional<double>& radius, const std::optional<double>& outer,
+                      const std::optional<double>& inner) {
+    const double known = radius.value_or(0);
+    return std::max(outer.value_or(0) - known, known - inner.value_or(0));
   };
   answer.stick_radius_first_slip = radii.first_slip;
   answer.stick_radius_shakedown = radii.shakedown;
-  answer.stepped = {off(radii.first_slip, farther.first_slip), off(radii.shakedown, farther.shakedown), 0, 0};
+  answer.stepped = {off(radii.first_slip, farther.first_slip, nearer.first_slip),
+                    off(radii.shakedown, farther.shakedown, nearer.shakedown), 0, 0};
   answer.stepping_error = std::max({depth_errors.first_slip, depth_errors.shakedown, error.largest_indentation}) /
                           response.largest_indentation;
   if (!mdr.normal_force) return;

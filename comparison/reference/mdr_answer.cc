@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "comparison/reference/cycle_of_springs.h"
 #include "comparison/reference/layer_answer.h"
@@ -72,7 +73,11 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   }
   const auto& [response, error] = stepped;
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
-  take_depths(mdr, response.depths, error.depths, response, error, answer);
+  constexpr double none = -std::numeric_limits<double>::infinity();
+  if (response.normal.normal_force_min <= 0)  // what is let go in every cycle does not stick
+    take_depths(mdr, {none, none}, {0, 0}, response, error, answer);
+  else
+    take_depths(mdr, response.depths, error.depths, response, error, answer);
   if (mdr.has_period()) take_tangential_amplitude(mdr, response, error, answer);
   if (mdr.normal_force && mdr.tangential_force && mdr.limiting_state) {
     answer.stick_radius_shakedown = mdr.limiting_state->stick_radius;

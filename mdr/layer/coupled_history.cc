@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mdr/layer/coupled_step.h"
 #include "mdr/springs/stepped_history.h"
@@ -126,9 +127,17 @@ double coupled_stick_depth(const SpringBed& bed, double friction_limit, const Ei
   Eigen::Index n = 0;
   while (n < margin.size() && margin[n] > none) ++n;
   if (n == 0) return depth[0] - slip_of_innermost / friction_limit;
-  // The edge of a flat face is a corner, across which nothing is read.
+  // The next spring does not stick, and the edge of a flat face is a corner, across which nothing is read.
   const bool in_flat_face = depth[n - 1] < 0;
-  const auto within = [&](double read) { return in_flat_face ? std::min(read, 0.0) : read; };
+  double farthest = n < margin.size() ? depth[n] : std::numeric_limits<double>::infinity();
+  if (in_flat_face) farthest = std::min(farthest, 0.0);
+  const auto within = [&](double read) { return std::clamp(read, depth[n - 1], farthest); };
+  // In a flat face margins are nearly the same everywhere, so that they tell no depth: all of it sticks that does at
+  // its edge.
+  if (in_flat_face && farthest == 0) {
+    const double rise = n > 1 ? (margin[n - 1] - margin[n - 2]) / (depth[n - 1] - depth[n - 2]) : 0;
+    if (margin[n - 1] - rise * depth[n - 1] > 0) return 0;
+  }
   if (n < n_of_parabola || (depth[n - 3] < 0) != in_flat_face)
     return within(depth[n - 1] + margin[n - 1] / friction_limit);
   const double m0 = margin[n - 3], m1 = margin[n - 2], m2 = margin[n - 1];

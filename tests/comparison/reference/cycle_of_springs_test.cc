@@ -71,11 +71,28 @@ TEST(CycleOfSprings, TakesWhatForcesLeadTo) {
   EXPECT_EQ(answer.stepped.indentation, 2e-6);
   const double c = answer.stick_radius_first_slip.value();  // of a parabola, where g ~ c^2
   EXPECT_NEAR(answer.stepped.first_slip / c, 0.5e-6 / 2.5e-5, 1e-3);
-  EXPECT_EQ(answer.stepped.shakedown, 0);
+  EXPECT_NEAR(mdr::transform(mdr.profile, answer.stepped.shakedown), 3e-6, 1e-15) << "so much may stick";
   take_tangential_amplitude(mdr, found, error, answer);
   EXPECT_EQ(answer.tangential_amplitude, 2e-5);
   EXPECT_DOUBLE_EQ(answer.stepping_error, 0.05);
   EXPECT_EQ(answer.stepped.tangential_amplitude, 1e-6);
+  take_depths(mdr, {2.5e-5, -4e-6}, {2.5e-5, 3e-6}, found, error, answer);
+  EXPECT_NEAR(answer.stepped.first_slip, c, 1e-15) << "nothing may stick";
+  EXPECT_EQ(answer.stepped.shakedown, 0);
+}
+
+// Springs of a layer whose contact sticks to its edge read that a little beyond it.
+TEST(CycleOfSprings, StickNoFartherThanTheContact) {
+  auto mdr = mdr_case(suite_case("parabola-elastic-steady", 1e-2));
+  mdr.layer = mdr::Layer{1e-3, 0.5};
+  mdr::PathForces found{}, error{};
+  found.largest_indentation = 1e-4;
+  MdrAnswer answer{};
+  const double a = mdr::inverse_transform(mdr.profile, 5e-5);
+  answer.contact_radius_max = a;
+  take_depths(mdr, {4e-5, 5.01e-5}, {0, 0}, found, error, answer);
+  EXPECT_LT(answer.stick_radius_first_slip.value(), a);
+  EXPECT_EQ(answer.stick_radius_shakedown, a);
 }
 
 }  // namespace

@@ -98,5 +98,21 @@ TEST(CoupledHistory, ReadsTheEdgeOffTheMargins) {
   EXPECT_NEAR(coupled_stick_depth(bed, 0.9, 0 * rest, 0.45), bed.depth[0] - 0.5, 1e-15) << "none sticks";
 }
 
+// Under a flat face the margins of a layer are nearly the same: they end with the face, or inside it where they fall.
+TEST(CoupledHistory, TellsAFlatFaceThatSticksFromAPartOfIt) {
+  SpringBed bed = spring_bed(truncated_sphere(2, 1), 1.5, 15);  // the edge of its face is an edge of a spring
+  const Eigen::ArrayXd& depth = bed.zone_depth;
+  const auto in_face = depth < 0;
+  const auto with_margins = [&](const Eigen::ArrayXd& in, double at_edge) {
+    return coupled_stick_depth(bed, 0.9, in_face.select(in, at_edge - depth), 0);
+  };
+  const Eigen::ArrayXd alike = Eigen::ArrayXd::Constant(15, 0.1), falling = alike - 1e-9 * depth.square(),
+                       ending = -0.3 - depth;
+  EXPECT_EQ(with_margins(alike, -1e-3), 0);
+  EXPECT_EQ(with_margins(falling, -1e-3), 0);
+  EXPECT_NEAR(with_margins(ending, -1), -0.3, 1e-12);
+  EXPECT_NEAR(with_margins(alike, 0.5), 0.5, 0.05) << "it goes on beyond the face";
+}
+
 }  // namespace
 }  // namespace fretval::mdr::coupled_history_test
