@@ -91,6 +91,19 @@ TEST(MdrDocumentSlow, SpringsConfirmTheStickRadiiOfAnyFrequencyRatio) {
   }
 }
 
+// An elastic body does not know how fast it is moved: springs have the same ramp in cycles at any frequency.
+TEST(MdrDocument, SpringsOfAnElasticBodyAreTheSameAtAnyFrequency) {
+  const auto at = [](double frequency) {
+    auto input = read_case(elastic_case());
+    input.motion.normal_frequency = input.motion.tangential_frequency = frequency;
+    return spring_answer(input, {100, 48, 4, 1e-7}).history;
+  };
+  const auto slow = at(1), fast = at(128);
+  EXPECT_NEAR(fast.depths.first_slip / slow.depths.first_slip, 1, 1e-9);
+  EXPECT_NEAR(fast.friction_work / slow.friction_work, 1, 1e-9);
+  EXPECT_EQ(fast.n_periods, slow.n_periods);
+}
+
 // Springs under the forces themselves, whose indenter goes where it has to, against the two tangents.
 TEST(MdrDocument, SpringsConfirmTheStickRadiusUnderForces) {
   const auto json = document_of(

@@ -104,6 +104,24 @@ TEST(PlaneAnswer, OfALineLosesWhatOneDirectionLoses) {
   EXPECT_LT(std::abs(line.value(Quantity::tangential_force_mean)), 0.5 * line.value(Quantity::tangential_force_max));
 }
 
+// Under an oscillating normal force the indentation comes from the normal response, instant by instant.
+TEST(PlaneAnswer, OfALineUnderANormalForceIsThatOfOneDirection) {
+  auto along = circle();
+  along.motion.transverse.clear();
+  along.contact = {};
+  along.motion.normal_force = Case::NormalForce{0.2, 0.05};
+  along.motion.indentation = along.motion.normal_amplitude = 0;
+  along.motion.phase = 60;
+  auto scene = along;
+  scene.contact.vector_friction = true;
+  scene.motion.transverse = {{1e-6 * along.motion.tangential_amplitude, along.motion.tangential_frequency, 60}};
+  const auto plane = answer_to(scene), line = answer_to(along);
+  EXPECT_NEAR(plane.stick_radius_shakedown.value() / line.stick_radius_shakedown.value(), 1, 1e-3);
+  EXPECT_NEAR(plane.cycle->value(Quantity::tangential_force_mean), line.cycle->value(Quantity::tangential_force_mean),
+              1e-3 * line.cycle->value(Quantity::tangential_force_max));
+  EXPECT_NEAR(plane.cycle->value(Quantity::friction_work) / line.cycle->value(Quantity::friction_work), 1, 1e-2);
+}
+
 // The force on a parabola of constant depth rises to twice what friction bears, from 5 s to 15 s.
 TEST(PlaneAnswer, OfAPassSlidesAtATimeOfItsFile) {
   auto scene = circle();

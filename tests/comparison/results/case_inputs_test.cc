@@ -55,6 +55,14 @@ TEST(CaseInputs, HaveTheZerosOfAMotion) {
   for (const char* name : {"Phase", "Normal amplitude", "Tangential amplitude"}) EXPECT_EQ(found.at(name), 0.0) << name;
 }
 
+// A compressible body of Poisson's ratio 0 has one; an incompressible one is that of a case which says nothing.
+TEST(CaseInputs, HaveAZeroThatIsNotWhatACaseBeginsWith) {
+  Case input{};
+  EXPECT_EQ(values_of(input).count("Poisson ratio"), 0U);
+  input.elastomer.poisson_ratio = 0;
+  EXPECT_EQ(values_of(input).at("Poisson ratio"), 0.0);
+}
+
 TEST(CaseInputs, HaveTheContactOnRingsAndAnglesAndItsOtherDirection) {
   Case input{};
   EXPECT_EQ(values_of(input).count("Friction"), 0U);

@@ -26,24 +26,30 @@ TEST(FeCycle, IsInTheUnitsOfItsCase) {
 }
 
 // A force in saw teeth, whose peaks no five samples tell.
-TEST(FeCycle, HasWhatSingleStepsLeaveOpenInNewtons) {
+TEST(FeCycle, HasWhatSingleStepsLeaveOpenInItsUnits) {
   constexpr int n = 24;
   FemCase fem{};
-  fem.units = {1, 2, 3, 1};  // 6 N
+  fem.units = {1, 2, 3, 1};  // 6 N, 12 J
   fem.motion = fem::one_frequency(0.8, 0.2, 0.1, 0.7);
   fem::NormalHistory normal;
   fem::FrictionHistory friction;
   normal.steps_per_cycle = friction.n_steps = n;
   for (auto* zero : {&normal.time, &normal.indentation, &normal.force_beyond, &normal.force_uncertainty,
-                     &normal.force_beyond_uncertainty, &friction.indenter, &friction.force_uncertainty})
+                     &normal.force_beyond_uncertainty, &friction.force_uncertainty})
     zero->setZero(n);
   normal.force.setConstant(n, 100);
   fem.friction_coefficient = 0.5;
-  friction.force_off_by_steps.setConstant(n, -0.25);
-  friction.force.resize(n);
-  for (int k = 0; k < n; ++k) friction.force[k] = k % 12 - 3;  // 8 at most; it goes on rising by 1 in a step
+  for (auto* series : {&friction.force, &friction.indenter, &friction.force_off_by_steps}) series->resize(n);
+  for (int k = 0; k < n; ++k) {
+    friction.force[k] = k % 12 - 3;              // 8 at most; it goes on rising by 1 in a step
+    friction.indenter[k] = k < 12 ? k : 24 - k;  // to and fro
+    friction.force_off_by_steps[k] = k < 12 ? 0.25 : -0.25;
+  }
   const auto cycle = cycle_of(fem, 100, normal, friction).value();
-  EXPECT_EQ(cycle.off_by_steps.at(Quantity::tangential_force_max), -1.5);
+  EXPECT_EQ(cycle.off_by_steps.at(Quantity::tangential_force_max), 1.5);
+  for (const auto work :
+       {Quantity::tangential_work, Quantity::friction_work, Quantity::bulk_work, Quantity::cycle_work})
+    EXPECT_DOUBLE_EQ(cycle.off_by_steps.at(work), 12 * 0.25 * 20) << "22 steps with the error and 2 against it";
   const double peak = cycle.value(Quantity::tangential_force_max);
   EXPECT_NEAR(cycle.between_steps.at(Quantity::tangential_force_max), std::max(peak - 48, 54 - peak), 1e-9);
 }
