@@ -20,9 +20,13 @@ struct Line {
 template <class Function>
 double root_of_lines(const Function& line_at, double start, double reach) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const double roundoff = std::numeric_limits<double>::epsilon() * std::max(std::abs(start), reach);
+  const double scale = std::max(std::abs(start), reach);
   double lower = -infinity, upper = infinity, x = start;
-  while (upper - lower > roundoff) {
+  const auto roundoff_at = [&](double root) {
+    return std::numeric_limits<double>::epsilon() * std::max(scale, std::abs(root));
+  };
+  while (upper - lower > roundoff_at(x)) {
+    const double roundoff = roundoff_at(x);
     const auto [value, slope] = line_at(x);
     (value < 0 ? lower : upper) = x;
     double next = slope > 0 ? x - value / slope : x;

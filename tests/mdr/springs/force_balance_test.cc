@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mdr/profiles/indentation.h"
+#include "mdr/springs/spring_energy.h"
 
 namespace fretval::mdr::force_balance_test {
 namespace {
@@ -75,6 +76,17 @@ TEST(ForceBalance, StopsWhereTheLoadJumps) {
   };
   EXPECT_LT(load_at(d - 1e-12), 1e-3);
   EXPECT_GT(load_at(d + 1e-12), 1e-3);
+}
+
+// A load that presses beyond the deepest spring: there numbers may lie farther apart than what is roundoff of the depth.
+// All springs touch then, and bear d sum(w) - sum(w g).
+TEST(ForceBalance, EndsBeyondTheDeepestSpring) {
+  const SpringBed bed = spring_bed(parabola(1), 0.5, 100);
+  const double width = bed.width.sum(), filled = (bed.width * bed.depth).sum(), deepest = bed.depth.maxCoeff();
+  for (int k = 1; k < 2000; ++k) {
+    const double d = deepest * (1 + k * 1e-3), load = d * width - filled;
+    EXPECT_NEAR(relaxed_indentation(bed, elastic(1), load * normal_scale(elastic(1))), d, 1e-14);
+  }
 }
 
 // Elastic force control is quasi-static: the forces give back Hertz' indentation.
