@@ -74,7 +74,7 @@ MdrAnswer forced_answer(const MdrCase& mdr, const mdr::NormalResponse& normal, i
   const auto& [response, error] = stepped;
   answer.cycle = cycle_of_springs(mdr, stepped, answer.normal_force_max.value());
   constexpr double none = -std::numeric_limits<double>::infinity();
-  if (response.normal.normal_force_min <= 0)  // what is let go in every cycle does not stick
+  if (response.normal.normal_force_min == 0)  // what is let go in every cycle does not stick
     take_depths(mdr, {none, none}, {0, 0}, response, error, answer);
   else
     take_depths(mdr, response.depths, error.depths, response, error, answer);
