@@ -52,7 +52,8 @@ SteppedForcedResponse coupled_response(const Profile& profile, const Layer& laye
     return edge_of_loads(spring_bed(profile, outer, n), course.deepest.normal_load);
   };
   return extrapolated_response(
-      history, radius, [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness);
+      history, radius, [&](double x) { return transform(profile, x); }, outer, body, mu, prescribed, fineness,
+      Springs::coupled);
 }
 
 }  // namespace fretval::mdr

@@ -86,21 +86,22 @@ double unseen_edge(const NormalResponse& normal, const PronyBody& body, const st
 SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                         const std::function<double(double)>& g, double outer_radius,
                                         const PronyBody& body, double mu, const Prescribed& prescribed,
-                                        const SpringFineness& fineness) {
+                                        const SpringFineness& fineness, Springs springs) {
   const auto response_with = [&](const SpringFineness& coarsest, int times) {
     return response_of(radius_at, mu, history_with(history, body, prescribed, coarsest, times));
   };
   const auto middle = response_with(fineness, 1);
   SteppedForcedResponse stepped{response_with(fineness, 2), {}};
   std::optional<ForcedResponse> coarse;
-  if (body.viscosity == 0) coarse = response_with(halved(fineness), 1);
+  const bool scatters = body.viscosity > 0;
+  if (!scatters || springs == Springs::coupled) coarse = response_with(halved(fineness), 1);
   const auto extrapolate = [&](auto&& part, double gain = 3) {
     const auto extrapolation = [gain](double coarser, double finer) { return finer + (finer - coarser) / gain; };
     const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
     part(stepped.response) = now;
+    const double difference = (scatters ? 3 : 1) * std::abs(now - fine);
     part(stepped.error) =
-        coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), std::abs(now - fine))
-               : 3 * std::abs(now - fine);
+        coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), difference) : difference;
   };
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_max; });
   extrapolate([](auto& r) -> auto& { return r.normal.normal_force_min; });
@@ -148,9 +149,9 @@ Loading loading_of(const Prescribed& prescribed, const RepeatingMotion& repeatin
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, double mu, const Prescribed& prescribed,
-                                            const SpringFineness& fineness) {
+                                            const SpringFineness& fineness, Springs springs) {
   const auto response_with = [&](const SpringFineness& with) {
-    return extrapolated_once(history, radius_at, g, outer_radius, body, mu, prescribed, with);
+    return extrapolated_once(history, radius_at, g, outer_radius, body, mu, prescribed, with, springs);
   };
   try {
     return response_with(fineness);

@@ -72,12 +72,18 @@ using HistoryOfSprings =
     std::function<SpringHistory(Eigen::Index n_springs, const Loading& loading, const HistoryControl& control)>;
 using ContactRadius = std::function<double(const SpringHistory& history, double largest_indentation)>;
 
+/// Whether a spring knows of the others. With a dashpot a spring that touches or not then moves all loads by what it
+/// bears itself, so that the differences of two numbers of springs scatter, and error is no less than that of the
+/// extrapolation of n/2 and n.
+enum class Springs { independent, coupled };
+
 /// The extrapolated response of springs of any kind. g: image of the indenter in m, up to outer_radius in m, where the
 /// springs end.
 SteppedForcedResponse extrapolated_response(const HistoryOfSprings& history, const ContactRadius& radius_at,
                                             const std::function<double(double)>& g, double outer_radius,
                                             const PronyBody& body, double mu, const Prescribed& prescribed,
-                                            const SpringFineness& fineness = {});
+                                            const SpringFineness& fineness = {},
+                                            Springs springs = Springs::independent);
 
 /// The response of a worn indenter, whose springs end at its stick radius.
 SteppedForcedResponse forced_response(const LimitingProfile& worn, const PronyBody& body, double mu,
