@@ -19,8 +19,8 @@ void take_kind(const SurfaceAnswer& surface, Readings& readings) {
   const auto add = [&](Quantity along, Quantity across, const PlaneZone& zone) {
     const std::string why = zone.radius > 0 ? "" : "nothing sticks";
     const auto some = [&](double extent) { return zone.radius > 0 ? std::optional(extent) : std::nullopt; };
-    readings[along] = {some(zone.along), zone.uncertainty, why};
-    readings[across] = {some(zone.across), zone.uncertainty, why};
+    readings[along] = {some(zone.along), zone.edge_uncertainty, why};
+    readings[across] = {some(zone.across), zone.edge_uncertainty, why};
   };
   add(Quantity::contact_along, Quantity::contact_across, surface.contact);
   add(Quantity::first_slip_along, Quantity::first_slip_across, surface.never_slipped);

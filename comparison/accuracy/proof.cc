@@ -16,7 +16,7 @@ namespace fretval {
 namespace {
 
 constexpr int most_refinements = 6, most_refinements_of_full = 2;
-constexpr double most_growth_of_full = 4;
+constexpr double most_growth_of_full = 8;
 constexpr double worthwhile_gain = 4;  // a ring that is less finer than that, the error budget asks for by itself
 constexpr double worthwhile_gain_if_hopeless = 1.5;  // where it asks for more than can be planned
 constexpr std::array stick_radii{Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown};
@@ -84,11 +84,10 @@ FixedByCase fixed_by(const PreparedCase& prepared) {
 /// nothing can be refined that would help.
 std::optional<Resolution> finer(const PreparedCase& prepared, const FeAnswer& fe, const Resolution& resolution,
                                 const std::vector<BarToMeet>& bars) {
+  const bool is_full = prepared.fem.kind == ContactKind::plane;
   const Effort effort{static_cast<double>(fe.body->n_dofs), static_cast<double>(fe.body->radii.size() - 1),
-                      static_cast<double>(fe.n_steps)};
-  // A step of the contact on rings and angles takes as long as hundreds of steps of the ring contact.
-  const double most_times =
-      prepared.fem.kind == ContactKind::plane ? most_growth_of_full : std::numeric_limits<double>::infinity();
+                      static_cast<double>(fe.n_steps), is_full ? static_cast<double>(resolution.n_angles) : 0.0};
+  const double most_times = is_full ? most_growth_of_full : std::numeric_limits<double>::infinity();
   const auto planned = planned_refinement(resolution, bars, effort, fixed_by(prepared), most_times);
   if (planned) log::detail(fmt::format("{}: {}", prepared.input.name, change_text(resolution, *planned)));
   return planned;

@@ -45,22 +45,24 @@ double left_over(ErrorSource source, const ErrorShare& share) {
 
 /// Effort after a refinement of a source by a factor, as measured on equal rings.
 Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree, double factor) {
-  auto [n_dofs, n_rings, n_steps] = effort;
+  const auto [n_dofs, n_rings, n_steps, n_angles] = effort;
   const auto growth = [doublings = std::log2(factor)](double of_two) { return std::pow(of_two, doublings); };
   switch (source) {
     case ErrorSource::rings:
-      return {growth(1.85) * n_dofs, factor * n_rings, n_steps};
+      return {growth(1.85) * n_dofs, factor * n_rings, n_steps, n_angles};
+    case ErrorSource::angles:
+      return {factor * n_dofs, n_rings, n_steps, factor * n_angles};
     case ErrorSource::element_order:
-      return {n_dofs * growth(std::pow(1 + 1.0 / degree, 2)), n_rings, n_steps};
+      return {n_dofs * growth(std::pow(1 + 1.0 / degree, 2)), n_rings, n_steps, n_angles};
     case ErrorSource::grading:
-      return {growth(1.8) * n_dofs, n_rings, n_steps};
+      return {growth(1.8) * n_dofs, n_rings, n_steps, n_angles};
     case ErrorSource::far_field:
-      return {growth(1.05) * n_dofs, n_rings, n_steps};
+      return {growth(1.05) * n_dofs, n_rings, n_steps, n_angles};
     case ErrorSource::time_step:
     case ErrorSource::creep:
-      return {n_dofs, n_rings, factor * n_steps};
+      return {n_dofs, n_rings, factor * n_steps, n_angles};
     default:
-      return {n_dofs, n_rings, growth(1.2) * n_steps};
+      return {n_dofs, n_rings, growth(1.2) * n_steps, n_angles};
   }
 }
 
@@ -108,16 +110,8 @@ std::optional<Candidate> refined(const Candidate& candidate, ErrorSource source,
   return Candidate{*resolution, bars, effort};
 }
 
-bool has_angles(const Candidate& candidate) {
-  return std::any_of(candidate.bars.begin(), candidate.bars.end(), [](const BarToMeet& one) {
-    const auto& shares = one.bar.shares;
-    return std::any_of(shares.begin(), shares.end(),
-                       [](const ErrorShare& share) { return share.source == ErrorSource::angles; });
-  });
-}
-
 bool can_be_refined(ErrorSource source, const Candidate& candidate, const FixedByCase& fixed) {
-  if (source == ErrorSource::angles && !has_angles(candidate)) return false;
+  if (source == ErrorSource::angles && candidate.effort.n_angles == 0) return false;
   return !(fixed.rings && source == ErrorSource::rings) && !(fixed.steps && source == ErrorSource::time_step);
 }
 
@@ -143,7 +137,10 @@ Candidate best_from(const Candidate& candidate, std::size_t first, const Limits&
 }  // namespace
 
 double expected_seconds(const Effort& effort) {
-  return 1e-5 * (effort.n_dofs + effort.n_steps * std::pow(effort.n_rings / 48, 1.4));
+  const auto& [n_dofs, n_rings, n_steps, n_angles] = effort;
+  const double of_a_step =
+      n_angles > 0 ? 1.25e-8 * std::pow(n_angles, 1.5) * std::pow(n_rings, 2.5) : 1e-5 * std::pow(n_rings / 48, 1.4);
+  return 1e-5 * n_dofs + n_steps * of_a_step;
 }
 
 std::optional<Resolution> planned_refinement(const Resolution& resolution, const std::vector<BarToMeet>& bars,

@@ -17,15 +17,17 @@ struct BarToMeet {
 
 /// Size of a computation, in numbers that are the same on every machine.
 struct Effort {
-  double n_dofs;   ///< of both harmonics
-  double n_rings;  ///< on the contact line
-  double n_steps;  ///< of the friction history
+  double n_dofs;        ///< of all harmonics
+  double n_rings;       ///< on the contact line
+  double n_steps;       ///< of the friction history
+  double n_angles = 0;  ///< of the full contact; 0: the ring contact
 };
 
 /// Two refinements are enough for shares up to this many tolerances; no order can be trusted further.
 constexpr double most_tolerances = 15;
 
-/// Rough seconds of a computation of this size: 1e-5 n_dofs for the body, 1e-5 n_steps (n_rings/48)^1.4 for a history.
+/// Rough seconds of a computation of this size: 1e-5 n_dofs for the body, and for a history 1e-5 n_steps
+/// (n_rings/48)^1.4 or, of the full contact, 1.25e-8 n_steps n_angles^1.5 n_rings^2.5.
 double expected_seconds(const Effort& effort);
 
 /// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two

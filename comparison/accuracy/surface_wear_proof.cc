@@ -92,7 +92,8 @@ ProvedSurfaceWear prove_surface_wear(const PreparedCase& prepared, const MdrAnsw
   }
   wear.is_proved = true;
   for (std::size_t i = 1; i < made.size(); ++i) add_share(coarser[i - 1].source, made[i].fe, wear);
-  for (auto* bar : {&wear.radius, &wear.along, &wear.across}) bar->add(ErrorSource::edge, wear.fe.sticks.uncertainty);
+  wear.radius.add(ErrorSource::edge, wear.fe.sticks.uncertainty);
+  for (auto* bar : {&wear.along, &wear.across}) bar->add(ErrorSource::edge, wear.fe.sticks.edge_uncertainty);
   const auto& curve = wear.fe.course.curve;
   if (curve.size() > 1) wear.volume.add(ErrorSource::cycles, 1 - (curve.end() - 2)->volume / curve.back().volume);
   return wear;

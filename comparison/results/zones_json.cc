@@ -78,7 +78,7 @@ ordered_json zones_json(const SurfaceAnswer& surface, MotionKind kind, const Err
                                                 Q::first_slip_across)}};
   const auto& end = surface.sticks_at_the_end;
   if (is_pass(kind))
-    json["sticks_at_the_end"] = with_bars(end, end.uncertainty, end.uncertainty, end.uncertainty);
+    json["sticks_at_the_end"] = with_bars(end, end.uncertainty, end.edge_uncertainty, end.edge_uncertainty);
   else
     json["sticks_in_a_cycle"] =
         zone_json(surface.sticks_in_a_cycle, Q::stick_radius_shakedown, Q::shakedown_along, Q::shakedown_across);

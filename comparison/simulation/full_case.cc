@@ -32,7 +32,13 @@ fem::SurfaceControl control_of_surface(const FemCase& fem) {
 }
 
 PlaneZone disc(double radius, double uncertainty, Eigen::Index n_angles) {
-  return {fem::pi * radius * radius, radius, radius, radius, uncertainty, std::vector<double>(n_angles, radius)};
+  return {fem::pi * radius * radius,
+          radius,
+          radius,
+          radius,
+          uncertainty,
+          uncertainty,
+          std::vector<double>(n_angles, radius)};
 }
 
 /// A zone with its edge moved outwards.
@@ -111,7 +117,7 @@ PlaneZone corrected(const PlaneZone& zone, const fem::ContactRegion& of_rings, c
                     double better_uncertainty, double length) {
   if (zone.radius == 0 || of_rings.radius == 0 || !better) return zone;
   auto moved = moved_out(zone, *better - of_rings.radius * length);
-  moved.uncertainty = better_uncertainty;
+  moved.uncertainty = moved.edge_uncertainty = better_uncertainty;
   return moved;
 }
 
@@ -198,13 +204,19 @@ void go_halfway(const PlaneZone& other, PlaneZone& zone) {
   for (std::size_t j = 0; j < zone.edges.size(); ++j) go_halfway(other.edges[j], zone.edges[j]);
   zone.area = fem::pi * zone.radius * zone.radius;
   zone.uncertainty = std::max(zone.uncertainty, other.uncertainty);
+  zone.edge_uncertainty = std::max(zone.edge_uncertainty, other.edge_uncertainty);
 }
 
 }  // namespace
 
 PlaneZone zone_of(const fem::ContactRegion& region, double length) {
-  PlaneZone zone{region.area * length * length, region.radius * length,      region.along * length,
-                 region.across * length,        region.uncertainty * length, {}};
+  PlaneZone zone{region.area * length * length,
+                 region.radius * length,
+                 region.along * length,
+                 region.across * length,
+                 region.uncertainty * length,
+                 region.edge_uncertainty * length,
+                 {}};
   for (const double edge : region.edges) zone.edges.push_back(edge * length);
   return zone;
 }

@@ -12,7 +12,8 @@ namespace fretval {
 struct PlaneZone {
   double area = 0, radius = 0;     ///< of the zone, and of the disc of that area
   double along = 0, across = 0;    ///< half of the extents along x and y
-  double uncertainty = 0;          ///< m, of the edge, by reading it
+  double uncertainty = 0;          ///< of the radius, by reading it
+  double edge_uncertainty = 0;     ///< of the edge where it is known worst, by reading it
   std::vector<double> edges = {};  ///< radius at each angle of the grid
 };
 

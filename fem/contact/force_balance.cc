@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "fem/support/solver_error.h"
 
@@ -59,46 +60,71 @@ double displacement_for_force(const std::function<double(double)>& force, double
 
 namespace {
 
+/// Forces less their values, known as closely as a search for their balance can make use of.
+class Excess {
+ public:
+  Excess(const ForcesAt& forces, Eigen::VectorXd values, double enough)
+      : forces_(forces), values_(std::move(values)), finest_(enough / 10), within_(1e5 * enough) {}
+
+  /// What is left at displacements: known to a tenth of it, or as closely as it is ever asked for.
+  Eigen::VectorXd at(const Eigen::VectorXd& displacements) {
+    for (;;) {
+      Eigen::VectorXd left = forces_(displacements, within_) - values_;
+      const double size = left.lpNorm<Eigen::Infinity>(), known = within_;
+      within_ = std::clamp(size / 100, finest_, within_);
+      if (10 * known <= size || known <= finest_ || !left.allFinite()) return left;
+    }
+  }
+  /// The same as closely as it is ever asked for.
+  [[nodiscard]] Eigen::VectorXd closely(const Eigen::VectorXd& displacements) const {
+    return forces_(displacements, finest_) - values_;
+  }
+
+ private:
+  const ForcesAt& forces_;
+  Eigen::VectorXd values_;
+  double finest_, within_;
+};
+
 /// The balance of a single force, held between brackets: Broyden's method may leave the contact on its way, where the
 /// force is flat.
-BalanceOfForces displacement_for_one_force(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
-                                           const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
-                                           double enough) {
+BalanceOfForces displacement_for_one_force(Excess& excess, BalanceOfForces guess, double probe, double enough) {
   Eigen::VectorXd& at = guess.displacements;
   Eigen::MatrixXd& stiffness = guess.stiffness;
   std::optional<Point> last;
-  const auto force_at = [&](double displacement) {
-    const double force = forces(Eigen::VectorXd::Constant(1, displacement))[0];
-    const double secant = last ? (force - last->excess) / (displacement - last->displacement) : 0;
+  const auto excess_at = [&](double displacement) {
+    const double left = excess.at(Eigen::VectorXd::Constant(1, displacement))[0];
+    const double secant = last ? (left - last->excess) / (displacement - last->displacement) : 0;
     if (secant > 0 && std::isfinite(secant)) stiffness = Eigen::MatrixXd::Constant(1, 1, secant);
-    last = {displacement, force};
-    return force;
+    last = {displacement, left};
+    return left;
   };
   if (stiffness.size() == 0) {
-    force_at(at[0]);
-    force_at(at[0] + probe);
+    excess_at(at[0]);
+    excess_at(at[0] + probe);
   }
   if (stiffness.size() == 0) stiffness = Eigen::MatrixXd::Constant(1, 1, 1);
   const double scale = enough / roundoff_of_force;
-  at[0] = displacement_for_force(force_at, values[0], {at[0], stiffness(0, 0), scale});
+  at[0] = displacement_for_force(excess_at, 0, {at[0], stiffness(0, 0), scale});
   return guess;
 }
 
 }  // namespace
 
-BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
-                                         const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
-                                         double enough) {
-  if (values.size() == 1) return displacement_for_one_force(forces, values, guess, probe, enough);
+BalanceOfForces displacements_for_forces(const ForcesAt& forces, const Eigen::VectorXd& values, BalanceOfForces guess,
+                                         double probe, double enough) {
+  Excess left_at(forces, values, enough);
+  if (values.size() == 1) return displacement_for_one_force(left_at, std::move(guess), probe, enough);
   Eigen::VectorXd& at = guess.displacements;
   Eigen::MatrixXd& stiffness = guess.stiffness;
-  Eigen::VectorXd excess = forces(at) - values;
+  Eigen::VectorXd excess = left_at.at(at);
   const auto measure = [&] {
+    excess = left_at.closely(at);
     stiffness.resize(at.size(), at.size());
     for (Eigen::Index j = 0; j < at.size(); ++j) {
       Eigen::VectorXd aside = at;
       aside[j] += probe;
-      stiffness.col(j) = (forces(aside) - values - excess) / probe;
+      stiffness.col(j) = (left_at.closely(aside) - excess) / probe;
     }
   };
   const auto is_found = [&] { return excess.lpNorm<Eigen::Infinity>() <= enough; };
@@ -116,7 +142,7 @@ BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(con
     }
     const Eigen::VectorXd step = -(stiffness + damping * identity).partialPivLu().solve(excess), there = at + step;
     if (!there.allFinite()) break;
-    const Eigen::VectorXd change = forces(there) - values - excess;
+    const Eigen::VectorXd change = left_at.at(there) - excess;
     if (!change.allFinite()) break;
     const double before = excess.norm(), after = (excess + change).norm(),
                  promised = before - (excess + stiffness * step).norm();

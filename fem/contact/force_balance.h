@@ -48,13 +48,17 @@ struct BalanceOfForces {
   Eigen::MatrixXd stiffness;  ///< empty: it is measured by a displacement of `probe` in each direction
 };
 
+/// Forces at displacements, each of them known to `within`.
+using ForcesAt = std::function<Eigen::VectorXd(const Eigen::VectorXd& displacements, double within)>;
+
 /// The displacements at which forces that depend on all of them have their values, by Broyden's method: what it learns
 /// of the stiffness is returned for the next search. After a step that does not halve what is left the stiffness is
 /// measured anew, and a step that brings too little then is damped (Levenberg 1944; Marquardt 1963). (Broyden 1965;
-/// Dennis and Schnabel, Numerical Methods for Unconstrained Optimization, chapter 8.) Throws NoBalance where no force
-/// comes within `enough` of its value.
-BalanceOfForces displacements_for_forces(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& forces,
-                                         const Eigen::VectorXd& values, BalanceOfForces guess, double probe,
-                                         double enough);
+/// Dennis and Schnabel, Numerical Methods for Unconstrained Optimization, chapter 8.)
+///
+/// Forces are asked for no more closely than the next step can make use of: a share of what was left of them before.
+/// Throws NoBalance where no force comes within `enough` of its value.
+BalanceOfForces displacements_for_forces(const ForcesAt& forces, const Eigen::VectorXd& values, BalanceOfForces guess,
+                                         double probe, double enough);
 
 }  // namespace fretval::fem

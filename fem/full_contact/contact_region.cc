@@ -35,6 +35,17 @@ double between_angles(const VectorXd& all, double angle) {
   return sum;
 }
 
+/// The region whose edges are known to within their uncertainties. A mean over the angles of edge times uncertainty is
+/// what the area is off by at most, over 2 pi.
+ContactRegion region_within(const AngularGrid& grid, VectorXd edges, const VectorXd& uncertainties) {
+  auto region = region_within(grid, std::move(edges));
+  region.edge_uncertainty = uncertainties.maxCoeff();
+  region.uncertainty =
+      region.radius > 0 ? region.edges.dot(uncertainties) / (static_cast<double>(uncertainties.size()) * region.radius)
+                        : region.edge_uncertainty;
+  return region;
+}
+
 }  // namespace
 
 Eigen::VectorXi rings_inside(const Eigen::MatrixXd& margin) {
@@ -65,16 +76,13 @@ ContactRegion region_within(const AngularGrid& grid, VectorXd edges) {
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& depths,
                         const Eigen::VectorXi& n_inside) {
   const auto radii = effective_radii(rings.compliance);
-  VectorXd edges(depths.cols());
-  double uncertainty = 0;
+  VectorXd edges(depths.cols()), uncertainties(depths.cols());
   for (Index j = 0; j < depths.cols(); ++j) {
     const auto edge = stick_radius(rings.compliance, radii, depths.col(j), n_inside[j]);
     edges[j] = edge.radius;
-    uncertainty = std::max(uncertainty, edge.uncertainty);
+    uncertainties[j] = edge.uncertainty;
   }
-  auto region = region_within(grid, std::move(edges));
-  region.uncertainty = uncertainty;
-  return region;
+  return region_within(grid, std::move(edges), uncertainties);
 }
 
 ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, const Eigen::MatrixXd& margin) {
@@ -83,17 +91,14 @@ ContactRegion region_of(const ContactProblem& rings, const AngularGrid& grid, co
 
 ContactRegion region_to_a_ring(const std::vector<double>& radii, const AngularGrid& grid,
                                const Eigen::VectorXi& n_inside) {
-  VectorXd edges(n_inside.size());
-  double widest = 0;
+  VectorXd edges(n_inside.size()), uncertainties = VectorXd::Zero(n_inside.size());
   for (Index j = 0; j < edges.size(); ++j) {
     const auto n = static_cast<std::size_t>(n_inside[j]);
     edges[j] = radii[n];
-    if (n > 0) widest = std::max(widest, radii[n] - radii[n - 1]);
-    if (n + 1 < radii.size()) widest = std::max(widest, radii[n + 1] - radii[n]);
+    if (n > 0) uncertainties[j] = radii[n] - radii[n - 1];
+    if (n + 1 < radii.size()) uncertainties[j] = std::max(uncertainties[j], radii[n + 1] - radii[n]);
   }
-  auto region = region_within(grid, std::move(edges));
-  region.uncertainty = widest;
-  return region;
+  return region_within(grid, std::move(edges), uncertainties);
 }
 
 }  // namespace fretval::fem

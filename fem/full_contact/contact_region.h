@@ -11,11 +11,12 @@ namespace fretval::fem {
 /// A region around the centre of the contact.
 struct ContactRegion {
   double area = 0;
-  double radius = 0;        ///< of the disc of that area
-  double along = 0;         ///< half of its extent along x
-  double across = 0;        ///< half of its extent along y
-  double uncertainty = 0;   ///< of its edge, the largest over the angles
-  Eigen::VectorXd edges{};  ///< radius of its edge at each kept angle
+  double radius = 0;            ///< of the disc of that area
+  double along = 0;             ///< half of its extent along x
+  double across = 0;            ///< half of its extent along y
+  double uncertainty = 0;       ///< of the radius, as if the edge were off by its uncertainty at all angles to one side
+  double edge_uncertainty = 0;  ///< of the edge, the largest over the angles
+  Eigen::VectorXd edges{};      ///< radius of its edge at each kept angle
 };
 
 /// The region in which a margin is positive from the centre on, whose edge is read to a fraction of a ring.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -23,14 +24,15 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double enough_agreement = 1e-10;  // of the alternation
+constexpr double rough_agreement = 1e-4;    // from which the size of the forces is known
 /// Natural residual to which friction and pressures are solved while the remainder of the pair is this large: not
 /// smaller than the next alternation can make use of.
 double share_of(double remainder) {
   constexpr double share = 1e-2;
   return std::clamp(share * remainder, enough_of_contact, 1e-4);
 }
-constexpr int most_alternations = 100;
-constexpr std::size_t depth_of_mixing = 3;
+constexpr int most_alternations = 100, most_to_balance = 30;
+constexpr std::size_t depth_of_mixing = 3, depth_to_balance = 5;
 
 /// Wear as a linear function of the pressure around a given one, softness times pressure plus offset: the tangent of
 /// the law of wear or, with an exponent below 1, where tangents overshoot, its secant from 0.
@@ -76,7 +78,8 @@ CoupledContact::CoupledContact(const CoupledOperators& operators, const Relaxati
       relaxation_(relaxation),
       motion_(motion),
       course_(friction.steps_per_cycle()),
-      state_{{}, MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))} {
+      state_{{}, MatrixXd::Zero(profile.size(), static_cast<Eigen::Index>(relaxation.moduli.size()))},
+      expected_way_(friction.steps_per_cycle()) {
   press_without_friction();
 }
 
@@ -122,86 +125,164 @@ MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
   return moved.rightCols(pressure.cols());
 }
 
-void CoupledContact::alternate(const MatrixXd& target, const PressureWear& wear, const VectorXd& along) {
-  const VectorXd stiff = operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
-  const bool wears = wear.coefficient.size() > 0;
-  double enough = share_of(1);
-  MatrixXd image, softness;
-  const auto press = [&](const MatrixXd& pull) {
-    if (!wears) return solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough).pressure;
-    const auto line = linearised(wear, pressure);
-    softness = stiff.asDiagonal() * line.softness;
-    return solve_pressure(operators_.normal, softness, pull - stiff.asDiagonal() * line.offset, pressure, enough)
-        .pressure;
-  };
-  AndersonMixing mixing(depth_of_mixing);
-  MatrixXd moved = moved_by_traction(friction.expected_traction());
-  pressure = press(target - moved);
-  for (n_alternations = 1;; ++n_alternations) {
-    const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, along);
-    const MatrixXd moved_now = moved_by_traction(rubbed.traction);
-    operators_.normal.apply(pressure, image);
-    opened_ = image - target + moved_now;
-    if (wears) opened_ += stiff.asDiagonal() * worn_field(wear, pressure);
-    remainder = pressure_remainder(operators_.normal, softness, pressure, opened_);
-    if (remainder <= enough_agreement && rubbed.remainder <= enough_agreement) return;
-    if (n_alternations == most_alternations)
-      throw SolverError(
-          fmt::format("normal contact and friction do not come to terms: {:.1e} of the largest pressure is left after "
-                      "{} alternations, {:.1e} is asked for; the friction coefficient may be too large for them to "
-                      "have one solution",
-                      remainder, n_alternations, enough_agreement));
-    enough = share_of(remainder);
-    moved = as_field(mixing.next(as_vector(moved), as_vector(moved_now)), moved.rows());
-    pressure = press(target - moved);
+/// The numbers of a field and of displacements of the indenter behind each other, the latter as heavy as those of all
+/// points.
+class CoupledContact::Together {
+ public:
+  Together(const MatrixXd& field, Index n_displacements, const VectorXd& areas)
+      : n_rows_(field.rows()),
+        n_field_(field.size()),
+        n_(n_displacements),
+        weight_(areas.norm() * std::sqrt(static_cast<double>(field.cols()))) {}
+  [[nodiscard]] VectorXd joined(const MatrixXd& field, const VectorXd& displacements) const {
+    VectorXd both(n_field_ + n_);
+    both << as_vector(field), weight_ * displacements;
+    return both;
   }
-}
+  [[nodiscard]] MatrixXd field(const VectorXd& both) const { return as_field(both.head(n_field_), n_rows_); }
+  [[nodiscard]] VectorXd displacements(const VectorXd& both) const { return both.tail(n_) / weight_; }
 
-CoupledContact::Attempt CoupledContact::attempt(const MatrixXd& pressed, const PressureWear& wear, const Way& way) {
+ private:
+  Index n_rows_, n_field_, n_;
+  double weight_;
+};
+
+CoupledContact::Attempt CoupledContact::attempt(const Start& start, const VectorXd& way) {
   const auto next = friction.next_step();
   const auto& relaxation = next.relaxation;
   const auto move = [&](double end) {
     if (motion_.depth_is_force) {
       const double share = (end - next.begin) / (next.end - next.begin);
-      return steady_move(share * way.down, end - next.begin);
+      return steady_move(share * way[0], end - next.begin);
     }
     return move_in(motion_.depth, next.begin, end, next.inside());
   };
-  Attempt made{move(next.end), (as_vector(pressed).array() > 0).cast<double>(), {}, {}};
+  Attempt made{move(next.end), (as_vector(start.pressed).array() > 0).cast<double>(), {}, {}, {}};
   made.left_behind = (1 - made.driven.array()) * made.whole.increment;
   made.before = state_.displacement + as_vector(profile) - VectorXd::Constant(profile.size(), depth);
   const VectorXd target = relaxation.response_without_slip(state_, move(next.balance), made.driven) +
                           relaxation.instantaneous() * (made.left_behind - made.before);
-  alternate(operators_.normal.areas().asDiagonal() * as_field(target, pressed.rows()), wear, way.along);
+  made.target = operators_.normal.areas().asDiagonal() * as_field(target, profile.rows());
   return made;
 }
 
-CoupledContact::Way CoupledContact::way_of_forces(const MatrixXd& pressed, const PressureWear& wear) {
-  const Index down = motion_.depth_is_force ? 1 : 0, along = friction.n_forces(), n = down + along;
-  if (n == 0) return {};
-  const auto way_of = [=](const VectorXd& by) { return Way{down > 0 ? by[0] : 0, by.tail(along)}; };
-  const auto forces_at = [&](const VectorXd& by) {
-    attempt(pressed, wear, way_of(by));
-    VectorXd forces(n);
-    forces.tail(along) = friction.attempted_forces();
-    if (down > 0) forces[0] = normal_force();
-    return forces;
+/// Finds the pressures, from the last ones on, under a right-hand side.
+void CoupledContact::press(const MatrixXd& pull, const PressureWear& wear, double enough) {
+  if (wear.coefficient.size() == 0) {
+    softness_.resize(0, 0);
+    pressure = solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough).pressure;
+    return;
+  }
+  const VectorXd stiff = operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
+  const auto line = linearised(wear, pressure);
+  softness_ = stiff.asDiagonal() * line.softness;
+  pressure =
+      solve_pressure(operators_.normal, softness_, pull - stiff.asDiagonal() * line.offset, pressure, enough).pressure;
+}
+
+/// Finds the tractions under the last pressures. Returns the larger natural residual of the two.
+double CoupledContact::rub(const Attempt& made, const PressureWear& wear, const VectorXd& way, double enough) {
+  ++n_alternations;
+  const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, way.tail(friction.n_forces()));
+  moved_ = moved_by_traction(rubbed.traction);
+  MatrixXd image;
+  operators_.normal.apply(pressure, image);
+  opened_ = image - made.target + moved_;
+  if (wear.coefficient.size() > 0)
+    opened_ += operators_.normal.areas().asDiagonal() * friction.next_step().relaxation.instantaneous() *
+               worn_field(wear, pressure);
+  remainder = pressure_remainder(operators_.normal, softness_, pressure, opened_);
+  return std::max(remainder, rubbed.remainder);
+}
+
+CoupledContact::Attempt CoupledContact::alternate(const Start& start, const VectorXd& way, double agreement) {
+  double enough = share_of(1);
+  AndersonMixing mixing(depth_of_mixing);
+  auto made = attempt(start, way);
+  MatrixXd moved = moved_by_traction(friction.expected_traction());
+  for (int n = 0; n < most_alternations; ++n) {
+    press(made.target - moved, start.wear, enough);
+    const double left = rub(made, start.wear, way, enough);
+    if (left <= agreement) return made;
+    enough = share_of(left);
+    moved = as_field(mixing.next(as_vector(moved), as_vector(moved_)), moved.rows());
+  }
+  throw SolverError(
+      fmt::format("normal contact and friction do not come to terms: {:.1e} of the largest pressure is left after "
+                  "{} alternations, {:.1e} is asked for; the friction coefficient may be too large for them to "
+                  "have one solution",
+                  remainder, most_alternations, agreement));
+}
+
+/// Alternates while the indenter moves towards the balance of its forces. Empty if that does not come to an end.
+std::optional<CoupledContact::Attempt> CoupledContact::alternate_to_balance(const Start& start) {
+  if (balance_.stiffness.size() == 0) return {};
+  const VectorXd values = prescribed_forces();
+  const auto stiffness = balance_.stiffness.partialPivLu();
+  VectorXd way = balance_.displacements;
+  MatrixXd moved = moved_by_traction(friction.expected_traction());
+  const Together together(moved, way.size(), operators_.normal.areas());
+  double enough = share_of(1);
+  AndersonMixing mixing(depth_to_balance);
+  for (int n = 0; n < most_to_balance; ++n) {
+    const auto made = attempt(start, way);
+    press(made.target - moved, start.wear, enough);
+    const double left = rub(made, start.wear, way, enough);
+    const VectorXd excess = attempted_forces() - values;
+    const double unbalanced = excess.lpNorm<Eigen::Infinity>() / normal_force();
+    if (left <= enough_agreement && unbalanced <= enough_of_force) {
+      balance_.displacements = way;
+      return made;
+    }
+    enough = share_of(std::max(left, unbalanced));
+    const VectorXd next =
+        mixing.next(together.joined(moved, way), together.joined(moved_, way - stiffness.solve(excess)));
+    if (!next.allFinite()) break;
+    moved = together.field(next);
+    way = together.displacements(next);
+  }
+  return {};
+}
+
+CoupledContact::Attempt CoupledContact::balance_around(const Start& start) {
+  const auto attempt_at = [&](const VectorXd& way, double agreement) {
+    alternate(start, way, std::max(enough_agreement, agreement));
+    return attempted_forces();
   };
-  if (balance_.displacements.size() == 0) balance_.displacements = VectorXd::Zero(n);
-  forces_at(balance_.displacements);
-  VectorXd values(n);
-  values.tail(along) = friction.prescribed_forces();
+  if (balance_.displacements.size() == 0) balance_.displacements = VectorXd::Zero(n_forces());
+  attempt_at(balance_.displacements, rough_agreement);
+  friction.require_grip();
+  const VectorXd values = prescribed_forces();
+  const double size = motion_.depth_is_force ? values[0] : normal_force();
+  const auto forces_at = [&](const VectorXd& way, double within) { return attempt_at(way, within / size); };
+  balance_ = displacements_for_forces(forces_at, values, balance_, probe_of_force, enough_of_force * size);
+  return alternate(start, balance_.displacements, enough_agreement);
+}
+
+VectorXd CoupledContact::prescribed_forces() {
+  VectorXd forces(n_forces());
+  forces.tail(friction.n_forces()) = friction.prescribed_forces();
   const auto next = friction.next_step();
-  if (down > 0) values[0] = motion_.depth(next.balance, next.inside()).value;
-  balance_ = displacements_for_forces(forces_at, values, balance_, probe_of_force, enough_of_force * normal_force());
-  return way_of(balance_.displacements);
+  if (motion_.depth_is_force) forces[0] = motion_.depth(next.balance, next.inside()).value;
+  return forces;
+}
+
+VectorXd CoupledContact::attempted_forces() const {
+  VectorXd forces(n_forces());
+  forces.tail(friction.n_forces()) = friction.attempted_forces();
+  if (motion_.depth_is_force) forces[0] = normal_force();
+  return forces;
 }
 
 void CoupledContact::step(const PressureWear& wear) {
   const auto& areas = operators_.normal.areas();
-  const MatrixXd pressed = pressure;
+  const Start start{pressure, wear};
+  n_alternations = 0;
   if (expected_pressure_.size() > 0) pressure = expected_pressure_.cwiseMax(0);
-  const auto [whole, driven, left_behind, before] = attempt(pressed, wear, way_of_forces(pressed, wear));
+  auto made = n_forces() > 0 ? alternate_to_balance(start) : alternate(start, {}, enough_agreement);
+  if (!made) made = balance_around(start);
+  if (n_forces() > 0) balance_.displacements = expected_way_.next(balance_.displacements);
+  const auto& [whole, driven, left_behind, before, target] = *made;
   const auto& relaxation = friction.next_step().relaxation;
   gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
   gap = (pressure.array() > 0).select(0, gap.cwiseMax(0));

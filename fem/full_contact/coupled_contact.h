@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <functional>
+#include <optional>
 
 #include "fem/full_contact/surface_operator.h"
 #include "fem/full_contact/vector_friction.h"
@@ -40,9 +41,12 @@ IndenterMotion indenter_motion(const Motion& motion);
 /// error contracts in each alternation by the square of the coupling times the friction coefficient: over a half-space
 /// ((1 - 2 nu)/(2 - 2 nu)) mu at most, and faster by AndersonMixing of the displacements by tractions. It begins with
 /// the tractions and pressures that are expected by the cycle before (ExpectedCourse). The normal natural residual of
-/// the pair is computed at its end, over the largest pressure, and that of friction as in FrictionSolver. Points that
-/// are pressed in the step before are driven by the indenter, exactly; the others move at a constant rate, so that
-/// lifting and touching are of second order (without the turns inside a step of fem/ring_contact/ring_courses.h).
+/// the pair is computed at its end, over the largest pressure, and that of friction as in FrictionSolver. Where forces
+/// are prescribed the indenter moves towards their balance in each alternation, by the stiffness of earlier steps, and
+/// the mixing takes its displacements along. Where the stiffness is not known yet, or that does not come to an end,
+/// displacements_for_forces searches around the alternation. Points that are pressed in the step before are driven by
+/// the indenter, exactly; the others move at a constant rate, so that lifting and touching are of second order (without
+/// the turns inside a step of fem/ring_contact/ring_courses.h).
 class CoupledContact {
  public:
   /// profile: of the indenter, n_rings x n_angles, ring means of its height over the apex. The operators and the motion
@@ -61,7 +65,7 @@ class CoupledContact {
   double depth = 0;          ///< of the indenter at the end of the step
   Eigen::MatrixXd pressure;  ///< at the balance time
   Eigen::MatrixXd gap;       ///< at the end of the step
-  int n_alternations = 0;    ///< alternations that the step took
+  int n_alternations = 0;    ///< alternations that the step took, the search for the balance of forces among them
   double remainder = 0;      ///< natural residual of the normal contact, over the largest pressure
 
   [[nodiscard]] double normal_force() const;
@@ -74,27 +78,35 @@ class CoupledContact {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(profile, friction, depth, pressure, gap, expected_pressure_, course_, state_, balance_.displacements,
-            balance_.stiffness);
+            balance_.stiffness, expected_way_);
   }
 
  private:
   void press_without_friction();
   [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
   [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
-  /// Displacement of the indenter in a step, down and along the surface, in the directions whose forces are prescribed.
-  struct Way {
-    double down = 0;
-    Eigen::VectorXd along = {};
-  };
-  /// A step that is tried: the move of the indenter, and of the points how far they are driven, left behind and
-  /// displaced before they are held.
+  class Together;
+  /// A step that is tried: the move of the indenter, of the points how far they are driven, left behind and displaced
+  /// before they are held, and areas times the displacements that would leave no gap.
   struct Attempt {
     IndenterMove whole;
     Eigen::VectorXd driven, left_behind, before;
+    Eigen::MatrixXd target;
   };
-  void alternate(const Eigen::MatrixXd& target, const PressureWear& wear, const Eigen::VectorXd& along);
-  Attempt attempt(const Eigen::MatrixXd& pressed, const PressureWear& wear, const Way& way);
-  Way way_of_forces(const Eigen::MatrixXd& pressed, const PressureWear& wear);
+  /// What a step starts from: the pressures of the step before, and the wear.
+  struct Start {
+    Eigen::MatrixXd pressed;
+    PressureWear wear;
+  };
+  [[nodiscard]] Eigen::Index n_forces() const { return (motion_.depth_is_force ? 1 : 0) + friction.n_forces(); }
+  [[nodiscard]] Eigen::VectorXd prescribed_forces();
+  [[nodiscard]] Eigen::VectorXd attempted_forces() const;
+  [[nodiscard]] Attempt attempt(const Start& start, const Eigen::VectorXd& way);
+  void press(const Eigen::MatrixXd& pull, const PressureWear& wear, double enough);
+  double rub(const Attempt& made, const PressureWear& wear, const Eigen::VectorXd& way, double enough);
+  Attempt alternate(const Start& start, const Eigen::VectorXd& way, double agreement);
+  std::optional<Attempt> alternate_to_balance(const Start& start);
+  Attempt balance_around(const Start& start);
 
   const CoupledOperators& operators_;
   InverseOperator normal_inverse_;
@@ -103,7 +115,10 @@ class CoupledContact {
   Eigen::MatrixXd expected_pressure_;  // in the next step
   ExpectedCourse course_;              // of the pressures
   RingState state_;                    // of the displacements into the body
-  BalanceOfForces balance_;            // of the last step under forces
+  BalanceOfForces balance_;            // of the next step under forces, as far as it is known
+  ExpectedCourse expected_way_;        // of its displacements
+  Eigen::MatrixXd softness_;           // areas times what points give way by wear, per pressure; empty without wear
+  Eigen::MatrixXd moved_;              // displacements into the body by the last tractions, times the areas
   Eigen::MatrixXd opened_;             // areas times gaps at the end of the step times the instantaneous stiffness
 };
 

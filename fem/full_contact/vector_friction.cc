@@ -58,6 +58,7 @@ VectorFriction::VectorFriction(const SurfaceOperator& op, RelaxationModel relaxa
       guess_(traction),
       course_(times_.steps_per_cycle()),
       balance_{VectorXd::Zero(n_forces()), {}},
+      expected_way_(times_.steps_per_cycle()),
       turning_(MatrixXd::Zero(traction.rows(), traction.cols())),
       arms_(mean_radii(op.radii())) {
   solution_.traction = traction;
@@ -147,8 +148,11 @@ VectorXd VectorFriction::prescribed_forces() {
   VectorXd forces(n_forces());
   if (forces.size() > 0) forces[0] = motion_.x(next.balance, next.inside()).value;
   if (forces.size() > 1) forces[1] = motion_.y(next.balance, next.inside()).value;
-  if (forces.size() > 0 && !(forces.norm() < most_force())) throw GrossSlip(next.balance, 1);
   return forces;
+}
+
+void VectorFriction::require_grip() {
+  if (motion_.by_force && !(prescribed_forces().norm() < most_force())) throw GrossSlip(next_step().balance, 1);
 }
 
 VectorXd VectorFriction::attempted_forces() const {
@@ -161,17 +165,20 @@ VectorXd VectorFriction::attempted_forces() const {
 
 void VectorFriction::step(const MatrixXd& pressure) {
   const MatrixXd nothing = MatrixXd::Zero(traction.rows(), traction.cols());
-  const auto go = [&](const VectorXd& along) { attempt(pressure, nothing, enough_of_contact, along); };
-  go(balance_.displacements);
+  const auto go = [&](const VectorXd& along, double enough) { attempt(pressure, nothing, enough, along); };
   if (motion_.by_force) {
-    const auto forces_at = [&](const VectorXd& along) {
-      go(along);
+    limit = friction_coefficient_ * pressure;
+    require_grip();
+    const double size = most_force();
+    const auto forces_at = [&](const VectorXd& along, double within) {
+      go(along, within / size);
       return attempted_forces();
     };
-    balance_ = displacements_for_forces(forces_at, prescribed_forces(), balance_, probe_of_force,
-                                        enough_of_force * most_force());
-    go(balance_.displacements);
+    balance_ =
+        displacements_for_forces(forces_at, prescribed_forces(), balance_, probe_of_force, enough_of_force * size);
   }
+  go(balance_.displacements, enough_of_contact);
+  if (motion_.by_force) balance_.displacements = expected_way_.next(balance_.displacements);
   accept();
 }
 

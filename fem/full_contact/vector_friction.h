@@ -68,9 +68,10 @@ class VectorFriction {
 
   /// Number of prescribed forces along the surface: F_x, and F_y as well where no mirror balances it.
   [[nodiscard]] Eigen::Index n_forces() const;
-  /// The forces that are prescribed at the balance time of the next step (n_forces). Throws GrossSlip where the
-  /// friction limit of the last attempt does not bear them.
+  /// The forces that are prescribed at the balance time of the next step (n_forces).
   Eigen::VectorXd prescribed_forces();
+  /// Throws GrossSlip where the friction limit of the last attempt does not bear the forces of the next step.
+  void require_grip();
   /// The forces of the last attempt in these directions (n_forces).
   [[nodiscard]] Eigen::VectorXd attempted_forces() const;
   /// The largest tangential force that the limit bears.
@@ -120,7 +121,7 @@ class VectorFriction {
   template <class Archive>
   void serialize(Archive& archive) {
     archive(n_steps, displacement, increment, limit, traction, traction_before, slip, x_, y_, guess_, course_,
-            balance_.displacements, balance_.stiffness, turning_, dt_before_);
+            balance_.displacements, balance_.stiffness, expected_way_, turning_, dt_before_);
   }
 
  private:
@@ -142,7 +143,8 @@ class VectorFriction {
   };
   [[nodiscard]] Moves moves_in(const NextStep& next, const Eigen::VectorXd& along) const;
   Moves moves_{};
-  BalanceOfForces balance_;  // of the last step under a force
+  BalanceOfForces balance_;      // of the next step under forces, as far as it is known
+  ExpectedCourse expected_way_;  // of its displacements
   [[nodiscard]] Eigen::MatrixXd turning() const;
   Eigen::MatrixXd turning_;  // turning_slip in a step of dt_before_
   double dt_before_ = 1;     // length of the last step

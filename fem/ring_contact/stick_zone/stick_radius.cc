@@ -55,8 +55,10 @@ EdgeRadius stick_radius(const Compliance& compliance, const EffectiveRadii& edge
     const Eigen::Index m = std::min(n, n_events);
     return root_beyond(radius.tail(m), load.tail(m), static_cast<int>(std::min(m - 1, degree)), limit);
   };
-  // The cubic through six; through three there is nothing but the parabola and the line.
-  const auto fitted = root(4, 2), other = n > 3 ? root(n_fitted_events, 3) : root(2, 1);
+  // The cubic through six. Through three there is nothing but the parabola and the line, nor where the reserve has a
+  // kink further inside, as at the edge of a flat.
+  const auto fitted = root(4, 2), cubic = n > 3 ? root(n_fitted_events, 3) : std::nullopt,
+             other = cubic ? cubic : root(2, 1);
   if (!fitted || !other) return {(radius[n - 1] + next) / 2, width};
   const double relative_width = width / compliance.radii.back();
   return {*fitted, 2 * std::abs(*fitted - *other) + scatter + calibration + relative_width * relative_width * width};

@@ -57,6 +57,19 @@ TEST(PlannedRefinement, MeetsAllBarsAtOnce) {
   EXPECT_EQ(planned->elements_per_radius, start.elements_per_radius);
 }
 
+// What is left of a bar by a fiftieth is not worth four times the angles of the full contact, which take more than
+// rings half as wide.
+TEST(PlannedRefinement, KnowsWhatAnglesTake) {
+  const Effort of_full{3e4, 28, 600, 16};
+  const auto planned = planned_refinement(start,
+                                          {bar({share(ErrorSource::time_step, 1.2, 2.2), share(ErrorSource::edge, 0.82),
+                                                share(ErrorSource::rings, 0.12), share(ErrorSource::angles, 0.02)})},
+                                          of_full, free_to_choose);
+  ASSERT_TRUE(planned);
+  EXPECT_EQ(planned->n_angles, start.n_angles);
+  EXPECT_GT(planned->elements_per_radius, start.elements_per_radius);
+}
+
 TEST(PlannedRefinement, RefinesRingsForTheReadingOfEdges) {
   const auto planned = plan({bar({share(ErrorSource::edge, 3)})});
   ASSERT_TRUE(planned);

@@ -123,9 +123,15 @@ TEST(FullCase, MovesTheRingsByHalfOfOneWhereItsZonesEnd) {
 TEST(FullCase, TakesTheMeanOfTwoAnswers) {
   FeAnswer one, other, none;
   one.of_kind = SurfaceAnswer{
-      {12.566370614359172, 2, 2.5, 1.5, 0.1, {1.5, 2.5}}, {}, {}, {0, 9, 9, 9, 0.3, {9, 9}}, 0, 0, {}, {}};
-  other.of_kind = SurfaceAnswer{
-      {0, 4, 4.5, 3.5, 0.4, {3.5, 4.5}}, {0, 1, 1, 1, 0, {1, 1}}, {}, {0, 10, 10, 10, 0.2, {10, 10}}, 0, 0, {}, {}};
+      {12.566370614359172, 2, 2.5, 1.5, 0.1, 0.6, {1.5, 2.5}}, {}, {}, {0, 9, 9, 9, 0.3, 0.3, {9, 9}}, 0, 0, {}, {}};
+  other.of_kind = SurfaceAnswer{{0, 4, 4.5, 3.5, 0.4, 0.5, {3.5, 4.5}},
+                                {0, 1, 1, 1, 0, 0, {1, 1}},
+                                {},
+                                {0, 10, 10, 10, 0.2, 0.4, {10, 10}},
+                                0,
+                                0,
+                                {},
+                                {}};
   one.contact_radius_max = 9;
   one.normal_force_max = 5;
   other.normal_force_max = 6;
@@ -144,12 +150,14 @@ TEST(FullCase, TakesTheMeanOfTwoAnswers) {
   EXPECT_EQ(zones.never_slipped.along, 3.5);
   EXPECT_EQ(zones.never_slipped.across, 2.5);
   EXPECT_EQ(zones.never_slipped.uncertainty, 0.4);
+  EXPECT_EQ(zones.never_slipped.edge_uncertainty, 0.6);
   EXPECT_EQ(zones.never_slipped.edges, (std::vector<double>{2.5, 3.5}));
   EXPECT_EQ(one.stick_radius_first_slip.value(), 3);
   EXPECT_EQ(one.first_slip_uncertainty, 0.4);
   EXPECT_FALSE(one.stick_radius_shakedown);  // it is none on one of the meshes
   EXPECT_EQ(one.contact_radius_max.value(), 9.5);
   EXPECT_EQ(zones.contact.uncertainty, 0.3);
+  EXPECT_EQ(zones.contact.edge_uncertainty, 0.4);
   EXPECT_EQ(zones.torque_max, 2.5);
   EXPECT_EQ(one.normal_force_max, 5.5);
   EXPECT_EQ(one.indentation_max.value(), 2.5);

@@ -75,7 +75,9 @@ TEST(ContactRegion, ToARingEndsWithTheLastRing) {
   const auto region = region_to_a_ring(radii, grid, n_inside);
   EXPECT_EQ(region.edges[0], 0.4);
   EXPECT_EQ(region.edges[1], 0.2);
-  EXPECT_DOUBLE_EQ(region.uncertainty, 0.2) << "the ring beyond";
+  EXPECT_DOUBLE_EQ(region.edge_uncertainty, 0.2) << "the ring beyond";
+  // Of the disc whose area changes as if the edge moved by a ring at all angles, to first order in that.
+  EXPECT_NEAR(region.uncertainty, (0.4 * 0.2 + 3 * 0.2 * 0.2) / 4 / std::sqrt((0.16 + 3 * 0.04) / 4), 1e-12);
 }
 
 TEST(ContactRegion, OfNothingIsEmpty) {

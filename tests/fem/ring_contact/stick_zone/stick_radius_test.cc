@@ -57,6 +57,19 @@ TEST_F(StickRadiusTest, StaysWithinARingOfTheLastOneThatSticks) {
   EXPECT_EQ(edge.uncertainty, 1.0 / 64);
 }
 
+// The edge of a flat lies among the last six rings, and lifts the reserve of its ring: no cubic follows that.
+TEST_F(StickRadiusTest, IsReadBeyondAKinkOfTheReserve) {
+  const Eigen::VectorXd at = effective_radii(compliance_).of_rings;
+  for (const double share : {0.1, 0.4, 0.7, 0.9}) {
+    const double c = at[29] + share * (at[30] - at[29]);
+    Eigen::VectorXd reserve = (c - at.array()).max(0);
+    reserve[25] += 1.0 / 64;
+    const auto [radius, uncertainty] = stick_radius(compliance_, reserve, 30);
+    EXPECT_NEAR(radius, c, 1e-3 / 64) << share;
+    EXPECT_LT(uncertainty, 0.5 / 64) << share;
+  }
+}
+
 // Under a blunt tip, g = 8/3 r^4, three rings are off by up to a third of one, which a second reading has to tell.
 TEST_F(StickRadiusTest, OfThreeRingsIsWithinItsUncertainty) {
   for (const double rings : {2.7, 3.0, 3.3}) {
