@@ -94,6 +94,13 @@ TEST_F(UserMesh, LiesBelowItsContactSurfaceWithTheMaterialsOfItsSurfaces) {
   for (const auto& node : mesh.nodes) EXPECT_LE(node[1], 0);
 }
 
+// Such as a line for other uses, which comes first.
+TEST_F(UserMesh, HasEdgesInOtherGroupsAsWell) {
+  const Mesh mesh = read(replaced(sheet, "13\n1 1 2 1 1 7 8", "14\n14 1 2 4 4 7 8\n1 1 2 1 1 7 8"));
+  EXPECT_EQ(contact_radii(mesh), (std::vector<double>{0, 1}));
+  EXPECT_DOUBLE_EQ(boundary_length(mesh, Boundary::free), 3);
+}
+
 TEST_F(UserMesh, MayBeDrawnUprightAndMissItsLinesByRoundoff) {
   std::string upright = sheet;
   for (const auto& [from, to] : {std::pair{"7 0 5 0", "7 1e-15 0 5"},

@@ -211,5 +211,22 @@ TEST(CoupledContact, RefusesWhatItCannotDo) {
   EXPECT_THROW(CoupledContact(operators, {}, 0.5, round_profile(surface, 2, 4), too_deep, 6), NoRoom);
 }
 
+// Pressed without friction and left alone, a body with memory and a dashpot stays as it is, also where nothing touches
+// it.
+TEST(CoupledContact, StaysAtRestWhereNothingMoves) {
+  const auto& surface = surface_half_space(0.3);
+  const auto operators = coupled_operators(surface, angular_grid(4));
+  const IndenterMotion still{ramp(0.5, 0.5), {nowhere, nowhere}};
+  CoupledContact contact(operators, {1, {1}, {0.5}, 0.2}, 0.5, round_profile(surface, 2, 4), still, 6);
+  const MatrixXd pressure = contact.pressure, gap = contact.gap;
+  ASSERT_GT(gap.maxCoeff(), 0.1);
+  for (int k = 0; k < 3; ++k) {
+    contact.step();
+    ASSERT_LT((contact.pressure - pressure).norm(), 1e-8 * pressure.norm()) << k;
+    ASSERT_LT((contact.gap - gap).norm(), 1e-8 * gap.norm()) << k;
+    ASSERT_LT(contact.friction.traction.norm(), 1e-8 * pressure.norm()) << k;
+  }
+}
+
 }  // namespace
 }  // namespace fretval::fem::coupled_contact_test

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "fem/operators/grid_refinement.h"
+#include "fem/support/constants.h"
 #include "tests/fem/convergence.h"
 #include "tests/fem/half_space.h"
 
@@ -108,6 +110,30 @@ TEST_P(PointForce, WithThePressureReversedIsAnother) {
   const auto exact = changed(field_, [](StokesState& state) { state.pressure *= -1; });
   const auto error = bulk_error(HarmonicSpace(grids().front(), GetParam(), 3), field_, exact);
   EXPECT_NEAR(error.pressure, 2, 1e-2);
+}
+
+// The norms are those of the body, whose volume grows with the distance from the axis: a pressure that is held to 1 + r
+// times itself, against sums over the quarter disc in polar coordinates.
+TEST_P(PointForce, HasErrorsOverTheVolume) {
+  const auto exact = [&](double r, double z) {
+    auto state = field_(r, z);
+    state.pressure *= 1 + r;
+    return state;
+  };
+  const auto& grid = grids().back();
+  double far = 0;
+  for (const auto& point : grid.points) far = std::max(far, std::hypot(point[0], point[1]));
+  constexpr int n = 400;
+  double off = 0, all = 0;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double distance = (i + 0.5) * far / n, angle = (j + 0.5) * pi / 2 / n, r = distance * std::sin(angle),
+                   p = field_(r, -distance * std::cos(angle)).pressure, volume = r * distance;
+      off += volume * std::pow(r * p, 2);
+      all += volume * std::pow((1 + r) * p, 2);
+    }
+  const auto error = bulk_error(HarmonicSpace(grid, GetParam(), 3), field_, exact);
+  EXPECT_NEAR(error.pressure, std::sqrt(off / all), 2e-3);
 }
 
 }  // namespace

@@ -125,5 +125,14 @@ TEST(Motion, PeriodIsOneCycleOrTheCreep) {
   for (const int order : {4, 14}) EXPECT_EQ(creep_period(48, order), 2 * creep_period(24, order));
 }
 
+TEST(Motion, MovesAcrossIfAnyOfItsOscillationsDoes) {
+  auto motion = one_frequency(0.8, 0.2, 0.3, 0.7);
+  EXPECT_FALSE(motion.moves_across());
+  motion.tangential.push_back({0.1, 2, 0, true});
+  EXPECT_TRUE(motion.moves_across());
+  motion.tangential.clear();
+  EXPECT_FALSE(motion.moves_across());
+}
+
 }  // namespace
 }  // namespace fretval::fem::motion_test

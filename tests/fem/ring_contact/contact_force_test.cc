@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "fem/ring_contact/ring_courses.h"
@@ -138,6 +139,18 @@ TEST_F(ContactForceTest, EndsBeforeRingsThatTouchAfterTheInstant) {
   EXPECT_NEAR(with_late.force, before.force, 1e-12);
   EXPECT_NEAR(with_late.radius, before.radius, 1e-12);
   EXPECT_GT(contact_force(series_, late, gap).force, 1.0001 * before.force);
+}
+
+// Rings of the areas 1, 2 and 3; one without pressure lies inside the last one that has some.
+TEST(SumOfRings, EndsWithTheLastRingThatIsPressed) {
+  const Eigen::Vector3d areas(1, 2, 3);
+  const auto sum = [&](double first, double second, double third) {
+    const auto contact = sum_of_rings({0, 10, 20, 30}, areas, Eigen::Vector3d(first, second, third));
+    return std::pair(contact.force, contact.radius);
+  };
+  EXPECT_EQ(sum(4, 5, 0), std::pair(14.0, 20.0));
+  EXPECT_EQ(sum(4, 0, 5), std::pair(19.0, 30.0));
+  EXPECT_EQ(sum(0, 0, 0), std::pair(0.0, 0.0));
 }
 
 }  // namespace

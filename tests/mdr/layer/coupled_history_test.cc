@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "mdr/layer/layer_stick_radius.h"
+#include "mdr/springs/spring_history.h"
 
 namespace fretval::mdr::coupled_history_test {
 namespace {
@@ -112,6 +113,19 @@ TEST(CoupledHistory, TellsAFlatFaceThatSticksFromAPartOfIt) {
   EXPECT_EQ(with_margins(falling, -1e-3), 0);
   EXPECT_NEAR(with_margins(ending, -1), -0.3, 1e-12);
   EXPECT_NEAR(with_margins(alike, 0.5), 0.5, 0.05) << "it goes on beyond the face";
+}
+
+// Where nothing sticks in a cycle the depth tells how far that is from sticking, by the slip one way of the innermost
+// spring: over a layer a hundred times as thick as the contact is wide it is that of a half-space.
+TEST(CoupledHistory, TellsHowFarAllSpringsSlipAsOverAHalfSpace) {
+  const Motion motion{1, 0.2, 2, 1, 1, 0.7};
+  const HistoryControl control{1, 90, 5, 100, 1e-9};
+  const Loading loading{ramped_path(harmonic_motion(motion), 5), {}, {}};
+  const SpringBed bed = spring_bed(parabola(1), 1.15, 60);
+  const double half_space = spring_history(bed, elastic(1), mu, loading, control).depths.shakedown,
+               layer = coupled_history(coupled_bed(bed, {100, 0.5}), elastic(1), mu, loading, control).depths.shakedown;
+  EXPECT_LT(half_space, -1);
+  EXPECT_NEAR(layer, half_space, 0.02 * std::abs(half_space));
 }
 
 }  // namespace

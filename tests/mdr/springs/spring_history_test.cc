@@ -210,5 +210,13 @@ TEST(PeriodsOfCreep, AreAnIntegerOfAnyBodyAndNotTooManyToStep) {
   }
 }
 
+// Before the motion begins the body has rested at its mean indentation for long: nothing of that is left to settle,
+// which would take some 70 periods here.
+TEST(SpringHistory, BeginsWithARelaxedBodyAtTheMeanIndentation) {
+  const Motion motion{1, 1e-5, 1e-5, 1, 1, 0.0};
+  const SpringHistory history = history_of(standard_solid(1, 1, 10), motion, 90, 2, 1e-3);
+  EXPECT_LE(history.n_periods, 6);
+}
+
 }  // namespace
 }  // namespace fretval::mdr::spring_history_test

@@ -206,5 +206,26 @@ TEST(CycleResponse, WithoutMemoryFrictionTakesTheTangentialLoop) {
   EXPECT_EQ(response.bulk_work, 0);
 }
 
+// A force in proportion to the rate takes the integral of the squared rate over the period, which is 12 cycles long.
+TEST(CycleResponse, OfAMotionThatCreepsIsThatOfAllItsCycles) {
+  constexpr int n_cycles = 12, n_steps = 48 * n_cycles;
+  auto s = sampled(n_steps);
+  s.motion = one_frequency(0.8, 0.2, 0.1, {});
+  s.motion.n_creep_cycles = n_cycles;
+  const double dt = 2 * pi * n_cycles / n_steps;
+  double work = 0, sum_of_squares = 0;
+  for (int k = 0; k < n_steps; ++k) {
+    s.normal.time[k] = s.normal.time[0] + k * dt;
+    const auto across = tangential_motion(s.motion, s.normal.time[k]);
+    s.friction.indenter[k] = across.value;
+    s.friction.force[k] = 3 * across.rate;
+    work += 3 * across.rate * across.rate * dt;
+    sum_of_squares += across.rate * across.rate / n_steps;
+  }
+  EXPECT_NEAR(sum_of_squares, 0.1 * 0.1 / 2, 1e-2 * 0.1 * 0.1) << "a cosine's, twelve times over";
+  const auto response = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction);
+  EXPECT_NEAR(response.tangential_work, work, 1e-10);
+}
+
 }  // namespace
 }  // namespace fretval::fem::cycle_response_test
