@@ -47,7 +47,7 @@ template <class Response>
 void take_depths(const MdrCase& mdr, const mdr::StickDepths& depths, const mdr::StickDepths& depth_errors,
                  const Response& response, const Response& error, MdrAnswer& answer) {
   const auto radius_at = [&](double depth) -> std::optional<double> {
-    if (!mdr.layer) return mdr::stick_radii(mdr.profile, {depth, depth}).shakedown;
+    if (!mdr.layer) return mdr::stick_radius(mdr.profile, depth);
     const auto radius = mdr::zone_radius(mdr.profile, depth);
     return radius && answer.contact_radius_max ? std::min(*radius, *answer.contact_radius_max) : radius;
   };

@@ -1,7 +1,6 @@
 #include "fem/ring_contact/unseen_slip.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace fretval::fem {
 namespace {

@@ -68,7 +68,7 @@ class CoupledStep {
                                            const Normal& normal) const;
 
   const CoupledBed& bed_;
-  mutable RowSolver normal_row_, tangential_row_;  // what they remember changes how fast they are, and nothing else
+  mutable RowSolver normal_row_, tangential_row_;  // what they remember changes how fast they are, and roundoff
   double limit_;                                   // mu E*/G*
   double dt_;                                      // s
   std::vector<double> decay_;                      // exp(-dt/tau_i)

@@ -1,7 +1,5 @@
 #include "mdr/layer/mode_equations.h"
 
-#include <algorithm>
-
 namespace fretval::mdr {
 
 ModeEquations::ModeEquations(const LayerModes& modes) : modes_(modes) {}

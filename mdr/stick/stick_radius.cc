@@ -37,11 +37,6 @@ double supremum_of_sum(std::vector<Harmonic> first, const std::vector<Harmonic>&
   return supremum(first);
 }
 
-std::optional<double> stick_radius(const Profile& profile, double depth) {
-  if (depth <= 0) return std::nullopt;
-  return inverse_transform(profile, depth);
-}
-
 StickRadii at_most(double largest, StickRadii radii) {
   for (auto* radius : {&radii.first_slip, &radii.shakedown})
     if (*radius) *radius = std::min(**radius, largest);
@@ -73,6 +68,11 @@ StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion) 
   const double tangential = 2 * motion.tangential_amplitude / (3 * mu) * tangential_ratio;
   if (motion.phase) return depths_of(motion.indentation, locked_demands(tangential, normal, *motion.phase));
   return depths_of(motion.indentation, unlocked_demands(tangential, normal));
+}
+
+std::optional<double> stick_radius(const Profile& profile, double depth) {
+  if (depth <= 0) return std::nullopt;
+  return inverse_transform(profile, depth);
 }
 
 StickRadii stick_radii(const Profile& profile, const StickDepths& depths) {

@@ -46,7 +46,10 @@ StickDepths stick_depths(const Rheology& body, double mu, const HarmonicMotion& 
 ///   unequal frequencies, phase locked:    as above
 StickDepths stick_depths(const Rheology& body, double mu, const Motion& motion);
 
-/// Stick radii c = g^-1(depth) in m on the unworn profile.
+/// Stick radius c = g^-1(depth) in m on the unworn profile; empty: nothing sticks.
+std::optional<double> stick_radius(const Profile& profile, double depth);
+
+/// The stick radii of both depths.
 StickRadii stick_radii(const Profile& profile, const StickDepths& depths);
 
 /// Stick radii in m of stick_depths(), on the unworn profile.
