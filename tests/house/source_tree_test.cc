@@ -175,5 +175,20 @@ TEST(SourceTree, NoFilesIncludeEachOther) {
   EXPECT_EQ(circles({{"fem/a/x.h", "fem/a/y.h"}, {"fem/a/y.cc", "fem/a/x.h"}}).size(), 2U);
 }
 
+// What is kept of a computation is kept under a hash of the sources that made it: of all rooms of the finite elements
+// but the full model, of which nothing is kept.
+TEST(SourceTree, HashesOfWhatIsKeptKnowAllRoomsOfTheFiniteElements) {
+  const fs::path root = FRETVAL_SOURCE_DIR;
+  std::ifstream stream(root / "comparison/CMakeLists.txt");
+  std::stringstream lists;
+  lists << stream.rdbuf();
+  Names rooms;
+  for (const auto& entry : fs::recursive_directory_iterator(root / "fem"))
+    if (entry.path().extension() == ".cc") rooms.insert(fs::relative(entry.path().parent_path(), root).string());
+  EXPECT_EQ(rooms.erase("fem/full_model"), 1U);
+  EXPECT_GT(rooms.size(), 5U);
+  for (const auto& room : rooms) EXPECT_NE(lists.str().find("${root}/" + room + "/*"), std::string::npos) << room;
+}
+
 }  // namespace
 }  // namespace fretval::source_tree_test
