@@ -45,25 +45,34 @@ double left_over(ErrorSource source, const ErrorShare& share) {
 
 /// Effort after a refinement of a source by a factor, as measured on equal rings.
 Effort effort_after(ErrorSource source, const Effort& effort, unsigned degree, double factor) {
-  const auto [n_dofs, n_rings, n_steps, n_angles] = effort;
+  Effort after = effort;
   const auto growth = [doublings = std::log2(factor)](double of_two) { return std::pow(of_two, doublings); };
   switch (source) {
     case ErrorSource::rings:
-      return {growth(1.85) * n_dofs, factor * n_rings, n_steps, n_angles};
+      after.n_dofs *= growth(1.85);
+      after.n_rings *= factor;
+      break;
     case ErrorSource::angles:
-      return {factor * n_dofs, n_rings, n_steps, factor * n_angles};
+      after.n_dofs *= factor;
+      after.n_angles *= factor;
+      break;
     case ErrorSource::element_order:
-      return {n_dofs * growth(std::pow(1 + 1.0 / degree, 2)), n_rings, n_steps, n_angles};
+      after.n_dofs *= growth(std::pow(1 + 1.0 / degree, 2));
+      break;
     case ErrorSource::grading:
-      return {growth(1.8) * n_dofs, n_rings, n_steps, n_angles};
+      after.n_dofs *= growth(1.8);
+      break;
     case ErrorSource::far_field:
-      return {growth(1.05) * n_dofs, n_rings, n_steps, n_angles};
+      after.n_dofs *= growth(1.05);
+      break;
     case ErrorSource::time_step:
     case ErrorSource::creep:
-      return {n_dofs, n_rings, factor * n_steps, n_angles};
+      after.n_steps *= factor;
+      break;
     default:
-      return {n_dofs, n_rings, growth(1.2) * n_steps, n_angles};
+      after.n_steps *= growth(1.2);
   }
+  return after;
 }
 
 /// The widest bar over its tolerance.

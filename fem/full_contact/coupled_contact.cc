@@ -24,12 +24,12 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr double enough_agreement = 1e-10;  // of the alternation
-constexpr double rough_agreement = 1e-4;    // from which the size of the forces is known
+constexpr double rough_agreement = 1e-4;    // where an alternation begins, and from where the size of forces is known
 /// Natural residual to which friction and pressures are solved while the remainder of the pair is this large: not
 /// smaller than the next alternation can make use of.
 double share_of(double remainder) {
   constexpr double share = 1e-2;
-  return std::clamp(share * remainder, enough_of_contact, 1e-4);
+  return std::clamp(share * remainder, enough_of_contact, rough_agreement);
 }
 constexpr int most_alternations = 100, most_to_balance = 30;
 constexpr std::size_t depth_of_mixing = 3, depth_to_balance = 5;
@@ -166,6 +166,11 @@ CoupledContact::Attempt CoupledContact::attempt(const Start& start, const Vector
   return made;
 }
 
+/// Areas times the instantaneous stiffness in the next step.
+VectorXd CoupledContact::stiffness_of_rings() {
+  return operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
+}
+
 /// Finds the pressures, from the last ones on, under a right-hand side.
 void CoupledContact::press(const MatrixXd& pull, const PressureWear& wear, double enough) {
   if (wear.coefficient.size() == 0) {
@@ -173,7 +178,7 @@ void CoupledContact::press(const MatrixXd& pull, const PressureWear& wear, doubl
     pressure = solve_pressure(operators_.normal, normal_inverse_, pull, pressure, enough).pressure;
     return;
   }
-  const VectorXd stiff = operators_.normal.areas() * friction.next_step().relaxation.instantaneous();
+  const VectorXd stiff = stiffness_of_rings();
   const auto line = linearised(wear, pressure);
   softness_ = stiff.asDiagonal() * line.softness;
   pressure =
@@ -188,9 +193,7 @@ double CoupledContact::rub(const Attempt& made, const PressureWear& wear, const 
   MatrixXd image;
   operators_.normal.apply(pressure, image);
   opened_ = image - made.target + moved_;
-  if (wear.coefficient.size() > 0)
-    opened_ += operators_.normal.areas().asDiagonal() * friction.next_step().relaxation.instantaneous() *
-               worn_field(wear, pressure);
+  if (wear.coefficient.size() > 0) opened_ += stiffness_of_rings().asDiagonal() * worn_field(wear, pressure);
   remainder = pressure_remainder(operators_.normal, softness_, pressure, opened_);
   return std::max(remainder, rubbed.remainder);
 }
@@ -275,7 +278,6 @@ VectorXd CoupledContact::attempted_forces() const {
 }
 
 void CoupledContact::step(const PressureWear& wear) {
-  const auto& areas = operators_.normal.areas();
   const Start start{pressure, wear};
   n_alternations = 0;
   if (expected_pressure_.size() > 0) pressure = expected_pressure_.cwiseMax(0);
@@ -284,7 +286,7 @@ void CoupledContact::step(const PressureWear& wear) {
   if (n_forces() > 0) balance_.displacements = expected_way_.next(balance_.displacements);
   const auto& [whole, driven, left_behind, before, target] = *made;
   const auto& relaxation = friction.next_step().relaxation;
-  gap = (areas * relaxation.instantaneous()).cwiseInverse().asDiagonal() * opened_;
+  gap = stiffness_of_rings().cwiseInverse().asDiagonal() * opened_;
   gap = (pressure.array() > 0).select(0, gap.cwiseMax(0));
   VectorXd slip = before - as_vector(gap) - left_behind;
   if (wear.coefficient.size() > 0) {

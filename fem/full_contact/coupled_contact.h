@@ -101,6 +101,7 @@ class CoupledContact {
   [[nodiscard]] Eigen::Index n_forces() const { return (motion_.depth_is_force ? 1 : 0) + friction.n_forces(); }
   [[nodiscard]] Eigen::VectorXd prescribed_forces();
   [[nodiscard]] Eigen::VectorXd attempted_forces() const;
+  [[nodiscard]] Eigen::VectorXd stiffness_of_rings();
   [[nodiscard]] Attempt attempt(const Start& start, const Eigen::VectorXd& way);
   void press(const Eigen::MatrixXd& pull, const PressureWear& wear, double enough);
   double rub(const Attempt& made, const PressureWear& wear, const Eigen::VectorXd& way, double enough);

@@ -14,8 +14,8 @@ namespace fretval::fem {
 /// elements is used. The radius is 0 if nothing sticks. Where the fit lies more than a quarter of a ring beyond the
 /// next event, the radius is the middle between the last event and the next one, uncertain by a ring. The uncertainty
 /// otherwise: twice the difference from the cubic fitted to the last six events (from the line through two, if there
-/// are three or the cubic vanishes too far out), scatter of the effective radii and h^3/L^2, h the width of the last stuck ring and L the length of the
-/// line.
+/// are three or the cubic vanishes too far out), scatter of the effective radii and h^3/L^2, h the width of the last
+/// stuck ring and L the length of the line.
 EdgeRadius stick_radius(const Compliance& compliance, const Eigen::VectorXd& reserve, Eigen::Index n_stuck);
 
 /// The stick radius with effective radii that are known, which several readings of one body share: to find them takes a
