@@ -61,7 +61,7 @@ Eigen::VectorXd pressure_in(const NormalRecord& record, long step) {
 
 fem::SurfaceHistory history_beside(const NormalRecord& record, const fem::SurfaceCompliance& surface,
                                    const fem::AngularGrid& grid, const fem::RingProblems& rings, const FemCase& fem) {
-  const fem::SurfaceOperator op(surface, grid, fem::Fields::tangential);
+  const fem::SurfaceOperator op(surface, grid, fem::SurfaceField::tangential);
   const auto motion = fem::lateral_motion(fem.motion);
   return vector_friction_history(
       fem::VectorFriction(op, fem.relaxation, fem.friction_coefficient, motion,

@@ -42,10 +42,10 @@ Complex share_of_harmonic(unsigned n_around, int l, double angle) {
 
 /// Sum of the contributions of all images of an angle. of_x, of_y: contributions per t_x and t_y.
 template <class Share>
-Amplitude tangential_amplitude(const AngularGrid& grid, Fields fields, const FourierOrder& order, unsigned component,
+Amplitude tangential_amplitude(const AngularGrid& grid, const FourierOrder& order, unsigned component,
                                const Share& share) {
   const Eigen::Index n = grid.n_kept();
-  Amplitude amplitude{order, component, Eigen::VectorXd::Zero(fields == Fields::all ? 3 * n : 2 * n)};
+  Amplitude amplitude{order, component, Eigen::VectorXd::Zero(2 * n)};
   for (Eigen::Index j = 0; j < n; ++j)
     for (const auto& image : images_of(grid.angles[j], grid.mirrors)) {
       const auto [of_x, of_y] = share(image.angle);
@@ -56,38 +56,38 @@ Amplitude tangential_amplitude(const AngularGrid& grid, Fields fields, const Fou
 }
 
 /// Real or imaginary part of the harmonic l of t_x + i t_y.
-Amplitude part_of_harmonic(const AngularGrid& grid, Fields fields, int l, bool imaginary, double sign,
-                           const FourierOrder& order, unsigned component) {
-  return tangential_amplitude(grid, fields, order, component, [&](double angle) {
+Amplitude part_of_harmonic(const AngularGrid& grid, int l, bool imaginary, double sign, const FourierOrder& order,
+                           unsigned component) {
+  return tangential_amplitude(grid, order, component, [&](double angle) {
     const Complex share = share_of_harmonic(grid.n_around, l, angle);
     return imaginary ? std::make_tuple(sign * share.imag(), sign * share.real())
                      : std::make_tuple(sign * share.real(), -sign * share.imag());
   });
 }
 
-void add_tangential(const AngularGrid& grid, Fields fields, std::vector<Amplitude>& amplitudes) {
+void add_tangential(const AngularGrid& grid, std::vector<Amplitude>& amplitudes) {
   const int highest = static_cast<int>(grid.n_around) / 2;
   for (int l = -highest; l <= highest; ++l) {
     const bool is_s = l <= 0;
     const auto n = static_cast<unsigned>(is_s ? 1 - l : l - 1);
     const unsigned component = is_s || n == 0 ? 0 : 1;
-    amplitudes.push_back(part_of_harmonic(grid, fields, l, false, 1, {n, Parity::even}, component));
-    amplitudes.push_back(part_of_harmonic(grid, fields, l, true, is_s ? 1 : -1, {n, Parity::odd}, component));
+    amplitudes.push_back(part_of_harmonic(grid, l, false, 1, {n, Parity::even}, component));
+    amplitudes.push_back(part_of_harmonic(grid, l, true, is_s ? 1 : -1, {n, Parity::odd}, component));
   }
 }
 
-void add_normal(const AngularGrid& grid, Fields fields, std::vector<Amplitude>& amplitudes) {
-  const Eigen::Index n_kept = grid.n_kept(), before = fields == Fields::all ? 2 * n_kept : 0;
+void add_normal(const AngularGrid& grid, std::vector<Amplitude>& amplitudes) {
+  const Eigen::Index n_kept = grid.n_kept();
   for (unsigned n = 0; n <= grid.n_around / 2; ++n)
     for (const auto parity : {Parity::even, Parity::odd}) {
       const FourierOrder order{n, parity};
       if (order.is_torsion()) continue;
-      Amplitude amplitude{order, vertical_component(order), Eigen::VectorXd::Zero(before + n_kept)};
+      Amplitude amplitude{order, vertical_component(order), Eigen::VectorXd::Zero(n_kept)};
       for (Eigen::Index j = 0; j < n_kept; ++j)
         for (const auto& image : images_of(grid.angles[j], grid.mirrors)) {
           const Complex share = share_of_harmonic(grid.n_around, static_cast<int>(n), image.angle);
           const double part = parity == Parity::even ? share.real() : -share.imag();
-          amplitude.weights[before + j] -= (n == 0 ? 1 : 2) * part;
+          amplitude.weights[j] -= (n == 0 ? 1 : 2) * part;
         }
       amplitudes.push_back(std::move(amplitude));
     }
@@ -123,10 +123,12 @@ std::vector<MirroredAngle> whole_circle(const AngularGrid& grid) {
   return circle;
 }
 
-std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields) {
+std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, SurfaceField field) {
   std::vector<Amplitude> amplitudes;
-  if (fields != Fields::normal) add_tangential(grid, fields, amplitudes);
-  if (fields != Fields::tangential) add_normal(grid, fields, amplitudes);
+  if (field == SurfaceField::tangential)
+    add_tangential(grid, amplitudes);
+  else
+    add_normal(grid, amplitudes);
   const auto vanishes = [&](const Amplitude& a) { return a.weights.norm() * grid.n_around < roundoff; };
   amplitudes.erase(std::remove_if(amplitudes.begin(), amplitudes.end(), vanishes), amplitudes.end());
   std::stable_sort(amplitudes.begin(), amplitudes.end(), [](const Amplitude& a, const Amplitude& b) {

@@ -38,11 +38,11 @@ struct MirroredAngle {
 /// All n_around points of the circle, from the first angle on.
 std::vector<MirroredAngle> whole_circle(const AngularGrid& grid);
 
-/// Which fields there are on the angles: t_x and t_y, p, or t_x, t_y and p, in this order.
-enum class Fields { tangential, normal, all };
+/// A field on the angles: t_x before t_y, or p.
+enum class SurfaceField { tangential, normal };
 
-/// An amplitude of fields: a component of a Fourier order (fem/operators/fourier_order.h), and the weights of the
-/// values at the kept angles in it, one field after the other.
+/// An amplitude of a field: a component of a Fourier order (fem/operators/fourier_order.h), and the weights of the
+/// values at the kept angles in it.
 struct Amplitude {
   FourierOrder order;
   unsigned component;
@@ -58,6 +58,6 @@ struct Amplitude {
 /// pressure pushes into the body, against W. Of the two harmonics n/2 of an even number of angles only cos(n/2 (theta -
 /// theta_0)) occurs, which is largest on the angles; the other one vanishes there. Amplitudes that vanish by a mirror
 /// are left out.
-std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, Fields fields);
+std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, SurfaceField field);
 
 }  // namespace fretval::fem

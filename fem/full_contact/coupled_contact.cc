@@ -59,7 +59,9 @@ MatrixXd worn_field(const PressureWear& wear, const MatrixXd& pressure) {
 CoupledOperators coupled_operators(const SurfaceCompliance& surface, const AngularGrid& grid, bool coupling) {
   if (grid.mirrors == Mirrors::x_and_y)
     throw std::invalid_argument("a contact whose pressure and friction are coupled has no mirror across its motion");
-  return {{surface, grid, Fields::tangential}, {surface, grid, Fields::normal}, {surface, grid, Fields::all, coupling}};
+  return {{surface, grid, SurfaceField::tangential},
+          {surface, grid, SurfaceField::normal},
+          coupling ? CouplingOperator(surface, grid) : CouplingOperator()};
 }
 
 IndenterMotion indenter_motion(const Motion& motion) {
@@ -111,18 +113,16 @@ void CoupledContact::press_without_friction() {
 
 /// Displacements along the surface by the pressures, times the areas (n_rings x 2 n_angles).
 MatrixXd CoupledContact::moved_by_pressure() const {
-  MatrixXd fields = MatrixXd::Zero(pressure.rows(), 3 * pressure.cols()), moved;
-  fields.rightCols(pressure.cols()) = pressure;
-  operators_.all.apply(fields, moved);
-  return moved.leftCols(2 * pressure.cols());
+  MatrixXd moved;
+  operators_.coupling.along_surface(pressure, moved);
+  return moved;
 }
 
 /// Displacements into the body by tractions, times the areas (n_rings x n_angles).
 MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
-  MatrixXd fields = MatrixXd::Zero(pressure.rows(), 3 * pressure.cols()), moved;
-  fields.leftCols(2 * pressure.cols()) = traction;
-  operators_.all.apply(fields, moved);
-  return moved.rightCols(pressure.cols());
+  MatrixXd moved;
+  operators_.coupling.into_body(traction, moved);
+  return moved;
 }
 
 /// The numbers of a field and of displacements of the indenter behind each other, the latter as heavy as those of all

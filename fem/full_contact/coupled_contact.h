@@ -11,10 +11,10 @@
 
 namespace fretval::fem {
 
-/// The operators of a body on one grid: for tractions along the surface, for pressures, and for both together with what
-/// couples them.
+/// The operators of a body on one grid: for tractions along the surface, for pressures, and what couples them.
 struct CoupledOperators {
-  SurfaceOperator tangential, normal, all;
+  SurfaceOperator tangential, normal;
+  CouplingOperator coupling;
 };
 
 /// Throws std::invalid_argument as SurfaceOperator does, and for mirrors about both axes, which coupling breaks.
@@ -34,7 +34,7 @@ IndenterMotion indenter_motion(const Motion& motion);
 ///
 ///   p >= 0,  gap >= 0,  p gap = 0,    |t| <= mu p,  slip along t where |t| = mu p and none elsewhere,
 ///
-/// with displacements of K (t, p) of SurfaceOperator over all fields. They begin at the first depth with the pressures
+/// with displacements by both (CouplingOperator). They begin at the first depth with the pressures
 /// of a relaxed body that was pressed without friction; from a depth of 0 on, frictional pressing is a part of the way.
 ///
 /// A step alternates: friction under the last pressures, then pressures under these tractions (block Gauss-Seidel). The

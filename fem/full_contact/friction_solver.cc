@@ -22,7 +22,13 @@ namespace {
 /// accuracy of prescribed forces.
 constexpr double enough_where_it_stalls = 1e-10;
 constexpr double least_share = 1e-10;      ///< to which a linear system is solved: roundoff leaves less
-constexpr int most_with_old_inverse = 10;  // applications from which on a new one is cheaper
+constexpr int most_with_old_inverse = 10;  ///< applications from which on a new one is cheaper
+/// Where the contact grows, a new inverse has an eighth more rings than have a limit. It serves until it has a third
+/// more.
+Index with_room(Index n_rings) {
+  return n_rings + (n_rings + 7) / 8;
+}
+constexpr double most_room = 4.0 / 3;
 
 /// State of each point: whether it slips, the normal (x, y) of the rim of its disc there, and the stiffness of the rim.
 struct Rims {
@@ -66,6 +72,21 @@ void keep_to_rims(const Rims& rims, const MatrixXd& limit, MatrixXd& field) {
     }
 }
 
+/// Root of the ratio between the traction that moves each point alone by a unit, 1/(diagonal of K + stiffness of its
+/// rim), and the same with the stiffness of its ring that the inverse was made with.
+Eigen::ArrayXXd scale_of_points(const SurfaceOperator& op, const Eigen::ArrayXd& of_rings, const Rims& rims) {
+  const Eigen::ArrayXd alone = op.diagonal().array();
+  return ((rims.stiffness.array().colwise() + alone).inverse().colwise() * (of_rings.head(alone.size()) + alone))
+      .sqrt();
+}
+
+/// x and y of a field times a number per point.
+MatrixXd scaled(MatrixXd field, const Eigen::ArrayXXd& by) {
+  field.leftCols(by.cols()).array() *= by;
+  field.rightCols(by.cols()).array() *= by;
+  return field;
+}
+
 double product(const MatrixXd& a, const MatrixXd& b) {
   return a.cwiseProduct(b).sum();
 }
@@ -77,9 +98,10 @@ bool is_on_rim(const Eigen::Vector2d& traction, double limit) {
 
 class Newton {
  public:
-  Newton(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess,
-         FrictionSolver::Preconditioner& preconditioner)
-      : op_(op), limit_(limit), largest_(limit.maxCoeff()), preconditioner_(preconditioner) {
+  /// op: on the rings that have a limit, all: on all rings.
+  Newton(const SurfaceOperator& op, const SurfaceOperator& all, const MatrixXd& pull, const MatrixXd& limit,
+         const MatrixXd& guess, FrictionSolver::Preconditioner& preconditioner)
+      : op_(op), all_(all), limit_(limit), largest_(limit.maxCoeff()), preconditioner_(preconditioner) {
     solution_.traction = onto_discs(guess, limit);
     op.apply(solution_.traction, image_);
     solution_.residual = pull - image_;
@@ -121,9 +143,8 @@ class Newton {
     op_.apply(onto - solution_.traction, image_);
     right = solution_.residual - image_;
     keep_to_rims(rims, limit_, right);
-    auto& [inverse, n_applications] = preconditioner_;
-    if (!inverse || n_applications > most_with_old_inverse)
-      inverse.emplace(op_, rims.stiffness.rowwise().mean().cwiseQuotient(op_.areas()));
+    update_preconditioner(rims);
+    const Eigen::ArrayXXd scale = scale_of_points(op_, preconditioner_.stiffness, rims);
     const auto apply = [&](const MatrixXd& field, MatrixXd& result) {
       op_.apply(field, result);
       result.leftCols(m) += rims.stiffness.cwiseProduct(field.leftCols(m));
@@ -131,12 +152,13 @@ class Newton {
       keep_to_rims(rims, limit_, result);
     };
     const auto precondition = [&](const MatrixXd& field, MatrixXd& result) {
-      preconditioner_.inverse->apply(field, result);
+      preconditioner_.inverse->apply(scaled(field, scale), result);
+      result = scaled(std::move(result), scale);
       keep_to_rims(rims, limit_, result);
     };
     const double share = std::max(tightening_ * share_for(solution_.remainder, enough), least_share);
-    n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
-    solution_.applications += 1 + n_applications;
+    preconditioner_.n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
+    solution_.applications += 1 + preconditioner_.n_applications;
     onto += step;
     for (Index j = 0; j < m; ++j)  // back to the rims, however far the step was
       for (Index i = 0; i < limit_.rows(); ++i) {
@@ -146,6 +168,18 @@ class Newton {
         onto(i, m + j) *= limit_(i, j) / length;
       }
     return onto_discs(onto, limit_) - solution_.traction;
+  }
+
+  void update_preconditioner(const Rims& rims) {
+    auto& [inverse, stiffness, n_applications] = preconditioner_;
+    const Index n = op_.n_rings(), n_before = stiffness.size();
+    const bool fits = n <= n_before && static_cast<double>(n_before) <= most_room * static_cast<double>(n);
+    if (fits && n_applications <= most_with_old_inverse) return;
+    const bool has_grown = inverse && n > n_before;
+    const auto with_more = all_.leading(has_grown ? std::min(with_room(n), all_.n_rings()) : n);
+    stiffness = Eigen::ArrayXd::Zero(with_more.n_rings());
+    stiffness.head(n) = rims.stiffness.rowwise().mean();
+    inverse.emplace(with_more, stiffness.matrix().cwiseQuotient(with_more.areas()));
   }
 
   [[nodiscard]] MatrixXd gradient_step() const {
@@ -197,7 +231,7 @@ class Newton {
     solution_.residual -= share * by.image;
   }
 
-  const SurfaceOperator& op_;
+  const SurfaceOperator &op_, &all_;
   const MatrixXd& limit_;
   double largest_;
   MatrixXd image_;
@@ -215,11 +249,12 @@ void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd
     throw std::invalid_argument("the friction limits must be numbers that are not negative, and their pull numbers");
 }
 
-/// Solves the friction problem on the rings up to the last one that has a friction limit; operator and fields have no
-/// other rings.
-FrictionSolution solve_touching(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit,
-                                const MatrixXd& guess, double enough, FrictionSolver::Preconditioner& preconditioner) {
-  Newton newton(op, pull, limit, guess, preconditioner);
+/// Solves the friction problem on the rings up to the last one that has a friction limit; op and fields have no other
+/// rings, all has.
+FrictionSolution solve_touching(const SurfaceOperator& op, const SurfaceOperator& all, const MatrixXd& pull,
+                                const MatrixXd& limit, const MatrixXd& guess, double enough,
+                                FrictionSolver::Preconditioner& preconditioner) {
+  Newton newton(op, all, pull, limit, guess, preconditioner);
   while (!newton.is_done(enough)) {
     if (newton.solution().iterations == most_newton_steps) {
       if (newton.solution().remainder <= enough_where_it_stalls) break;
@@ -262,11 +297,9 @@ FrictionSolution FrictionSolver::solve(const MatrixXd& pull, const MatrixXd& lim
   while (n > 0 && limit.row(n - 1).maxCoeff() == 0) --n;
   FrictionSolution solution{MatrixXd::Zero(pull.rows(), pull.cols()), pull};
   if (n == 0) return solution;
-  if (!touching_ || touching_->n_rings() != n) {
-    touching_ = op_->leading(n);
-    preconditioner_ = {};
-  }
-  auto found = solve_touching(*touching_, pull.topRows(n), limit.topRows(n), guess.topRows(n), enough, preconditioner_);
+  if (!touching_ || touching_->n_rings() != n) touching_ = op_->leading(n);
+  auto found =
+      solve_touching(*touching_, *op_, pull.topRows(n), limit.topRows(n), guess.topRows(n), enough, preconditioner_);
   solution.traction.topRows(n) = found.traction;
   MatrixXd image;
   op_->apply(solution.traction, image);

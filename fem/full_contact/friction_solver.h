@@ -28,7 +28,8 @@ struct FrictionSolution {
 /// Method: semismooth Newton on `t = P(t + rho (q - K t))`, P the projection onto the discs. A point that slips keeps
 /// to the rim of its disc and moves along it, against the stiffness |q - K t|/limit of the curved rim. The linear
 /// systems are solved by conjugate gradients, preconditioned with the inverse of K that is tied to the ground by the
-/// mean of these stiffnesses over each ring, order by order. A step goes to the projected iterate where that
+/// mean of these stiffnesses over each ring, order by order. Where a point is stiffer than that mean, or has become so
+/// since, the inverse is scaled by how much. A step goes to the projected iterate where that
 /// halves the remainder. Where it does not, it goes as far towards it as lowers the energy, or along the projected
 /// gradient if that lowers it by more: so every step makes at least the progress of a method that always converges. The
 /// next linear system is solved ten times as far: a few points at the edge, where limits differ around a ring, may keep
@@ -49,10 +50,12 @@ class FrictionSolver {
   FrictionSolution solve(const Eigen::MatrixXd& pull, const Eigen::MatrixXd& limit, const Eigen::MatrixXd& guess,
                          double enough = enough_of_contact);
 
-  /// An inverse of the operator on the rings that have a friction limit, tied to the ground as it was once.
+  /// An inverse of the operator on the rings that have a friction limit and some more, tied to the ground as they were
+  /// once.
   struct Preconditioner {
     std::optional<InverseOperator> inverse;
-    int n_applications = 0;  ///< of the operator, for the last linear system
+    Eigen::ArrayXd stiffness;  ///< of its rings to the ground
+    int n_applications = 0;    ///< of the operator, for the last linear system
   };
 
  private:

@@ -38,32 +38,26 @@ bool are_alike(const std::vector<Amplitude>& amplitudes, const Group& a, const G
   return true;
 }
 
-bool is_normal(const Amplitude& amplitude) {
-  return !amplitude.order.is_torsion() && amplitude.component == vertical_component(amplitude.order);
+/// Of the block of an order, the part between the amplitudes of two groups.
+Eigen::MatrixXd block_between(const SurfaceCompliance& surface, const std::vector<Amplitude>& rows, const Group& some,
+                              const std::vector<Amplitude>& columns, const Group& others) {
+  const Index n = surface.n_rings();
+  const auto& whole = surface.of(rows[some.first].order);
+  Eigen::MatrixXd matrix((some.end - some.first) * n, (others.end - others.first) * n);
+  for (Index i = some.first; i < some.end; ++i)
+    for (Index j = others.first; j < others.end; ++j)
+      matrix.block((i - some.first) * n, (j - others.first) * n, n, n) =
+          whole.block(rows[i].component * n, columns[j].component * n, n, n);
+  return matrix;
 }
 
-OrderBlock block_of(const SurfaceCompliance& surface, const std::vector<Amplitude>& amplitudes, const Group& group,
-                    bool coupling) {
-  const Index n = surface.n_rings(), n_components = group.end - group.first;
-  const auto& whole = surface.of(amplitudes[group.first].order);
-  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n_components * n, n_components * n);
-  for (Index i = 0; i < n_components; ++i) {
-    const auto& row = amplitudes[group.first + i];
-    for (Index j = 0; j < n_components; ++j) {
-      const auto& column = amplitudes[group.first + j];
-      if (is_normal(row) != is_normal(column) && !coupling) continue;
-      matrix.block(i * n, j * n, n, n) = whole.block(row.component * n, column.component * n, n, n);
-    }
-  }
-  return {group.first, n_components, 1, std::move(matrix)};
-}
-
-std::vector<OrderBlock> blocks_of(const SurfaceCompliance& surface, const std::vector<Amplitude>& amplitudes,
-                                  bool coupling) {
+std::vector<OrderBlock> blocks_of(const SurfaceCompliance& surface, const std::vector<Amplitude>& amplitudes) {
   std::vector<OrderBlock> blocks;
   const auto groups = groups_of(amplitudes);
   for (std::size_t i = 0; i < groups.size(); ++i) {
-    blocks.push_back(block_of(surface, amplitudes, groups[i], coupling));
+    const auto& group = groups[i];
+    blocks.push_back(
+        {group.first, group.end - group.first, 1, block_between(surface, amplitudes, group, amplitudes, group)});
     if (i + 1 < groups.size() && are_alike(amplitudes, groups[i], groups[i + 1])) {
       blocks.back().n_copies = 2;
       ++i;
@@ -86,23 +80,32 @@ Eigen::VectorXd diagonal_of(const Eigen::MatrixXd& transform, const std::vector<
 }
 
 /// The amplitudes of a block as a matrix, with a column for each copy that it serves.
-Eigen::Map<Eigen::MatrixXd> columns_of(Eigen::MatrixXd& amplitudes, Index first, Index rows, Index n_copies) {
+template <class Matrix>
+Eigen::Map<Matrix> columns_of(Matrix& amplitudes, Index first, Index rows, Index n_copies = 1) {
   return {amplitudes.col(first).data(), rows, n_copies};
 }
 
-}  // namespace
+Eigen::MatrixXd transform_of(const std::vector<Amplitude>& amplitudes) {
+  Eigen::MatrixXd transform(amplitudes.front().weights.size(), static_cast<Index>(amplitudes.size()));
+  for (Index i = 0; i < transform.cols(); ++i) transform.col(i) = amplitudes[static_cast<std::size_t>(i)].weights;
+  return transform;
+}
 
-SurfaceOperator::SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, Fields fields,
-                                 bool coupling)
-    : grid_(grid), radii_(surface.radii), areas_(surface.areas * grid.multiplicity() / grid.n_around) {
+void require_orders(const SurfaceCompliance& surface, const AngularGrid& grid) {
   if (surface.orders.size() <= grid.highest_order())
     throw std::invalid_argument(
         fmt::format("{} angles draw on Fourier orders up to {}, the compliance has them up to {}", grid.n_around,
                     grid.highest_order(), static_cast<int>(surface.orders.size()) - 1));
-  const auto amplitudes = amplitudes_of(grid, fields);
-  transform_.resize(amplitudes.front().weights.size(), static_cast<Index>(amplitudes.size()));
-  for (Index i = 0; i < transform_.cols(); ++i) transform_.col(i) = amplitudes[static_cast<std::size_t>(i)].weights;
-  blocks_ = blocks_of(surface, amplitudes, coupling);
+}
+
+}  // namespace
+
+SurfaceOperator::SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, SurfaceField field)
+    : grid_(grid), radii_(surface.radii), areas_(surface.areas * grid.multiplicity() / grid.n_around) {
+  require_orders(surface, grid);
+  const auto amplitudes = amplitudes_of(grid, field);
+  transform_ = transform_of(amplitudes);
+  blocks_ = blocks_of(surface, amplitudes);
   transposed_ = transform_.transpose();
   diagonal_ = diagonal_of(transform_, blocks_, n_rings());
 }
@@ -129,40 +132,92 @@ void SurfaceOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& resul
   multiply(field, transform_, amplitudes);
   for (const auto& block : blocks_) {
     const Index rows = n * block.n_components;
-    multiply(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
-             columns_of(displaced, block.first, rows, block.n_copies));
+    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
+                       columns_of(displaced, block.first, rows, block.n_copies));
   }
   result.resize(n, transform_.rows());
   multiply(displaced, transposed_, result);
 }
 
+CouplingOperator::CouplingOperator(const SurfaceCompliance& surface, const AngularGrid& grid) {
+  require_orders(surface, grid);
+  const auto tangential = amplitudes_of(grid, SurfaceField::tangential),
+             normal = amplitudes_of(grid, SurfaceField::normal);
+  tangential_ = transform_of(tangential);
+  normal_ = transform_of(normal);
+  tangential_transposed_ = tangential_.transpose();
+  normal_transposed_ = normal_.transpose();
+  for (const auto& along : groups_of(tangential))
+    for (const auto& into : groups_of(normal))
+      if (tangential[along.first].order == normal[into.first].order)
+        blocks_.push_back({along.first, along.end - along.first, into.first,
+                           block_between(surface, tangential, along, normal, into)});
+}
+
+void CouplingOperator::along_surface(const Eigen::MatrixXd& pressure, Eigen::MatrixXd& moved) const {
+  const Index n = pressure.rows();
+  if (blocks_.empty()) return void(moved.setZero(n, 2 * pressure.cols()));
+  Eigen::MatrixXd amplitudes(n, normal_.cols()), displaced = Eigen::MatrixXd::Zero(n, tangential_.cols());
+  multiply(pressure, normal_, amplitudes);
+  for (const auto& block : blocks_)
+    multiply(block.matrix, amplitudes.col(block.normal),
+             columns_of(displaced, block.tangential, n * block.n_components));
+  moved.resize(n, tangential_.rows());
+  multiply(displaced, tangential_transposed_, moved);
+}
+
+void CouplingOperator::into_body(const Eigen::MatrixXd& traction, Eigen::MatrixXd& moved) const {
+  const Index n = traction.rows();
+  if (blocks_.empty()) return void(moved.setZero(n, traction.cols() / 2));
+  Eigen::MatrixXd amplitudes(n, tangential_.cols()), displaced = Eigen::MatrixXd::Zero(n, normal_.cols());
+  multiply(traction, tangential_, amplitudes);
+  for (const auto& block : blocks_)
+    multiply_by_transpose(block.matrix, columns_of(amplitudes, block.tangential, n * block.n_components),
+                          displaced.col(block.normal));
+  moved.resize(n, normal_.rows());
+  multiply(displaced, normal_transposed_, moved);
+}
+
 // Harmonics are orthogonal on the angles, so the field of an amplitude is its row of T over the square of that. The
 // highest harmonic of a traction is two amplitudes of which the angles only see the sum: half of it goes to each.
-InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground) : fields_(op.transform()) {
+InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground) : n_rings_(op.n_rings()) {
+  Eigen::MatrixXd fields = op.transform();
   const double n_points = op.grid().n_around / op.grid().multiplicity();
-  for (Index i = 0; i < fields_.cols(); ++i) fields_.col(i) *= std::min(1 / fields_.col(i).squaredNorm(), 2 * n_points);
+  for (Index i = 0; i < fields.cols(); ++i) fields.col(i) *= std::min(1 / fields.col(i).squaredNorm(), 2 * n_points);
   const Eigen::VectorXd tied = op.areas().cwiseProduct(ground);
+  std::vector<Eigen::MatrixXd> inverses;
   for (const auto& block : op.blocks()) {
     Eigen::MatrixXd matrix = block.matrix;
     for (Index i = 0; i < block.n_components; ++i)
-      matrix.diagonal().segment(i * tied.size(), tied.size()) += fields_.col(block.first + i).squaredNorm() * tied;
+      matrix.diagonal().segment(i * tied.size(), tied.size()) += fields.col(block.first + i).squaredNorm() * tied;
     auto inverted = inverse(std::move(matrix));
     if (!inverted) throw SolverError("a Fourier order of the contact compliance is not positive definite");
-    blocks_.push_back({block.first, block.n_components, block.n_copies, SharedMatrix(std::move(*inverted))});
+    scale_ = std::max(scale_, inverted->diagonal().maxCoeff());
+    inverses.push_back(std::move(*inverted));
   }
+  for (std::size_t i = 0; i < inverses.size(); ++i) {
+    const auto& block = op.blocks()[i];
+    blocks_.push_back({block.first, block.n_components, block.n_copies, (inverses[i] / scale_).template cast<float>()});
+  }
+  fields_ = fields.cast<float>();
   transposed_ = fields_.transpose();
 }
 
 void InverseOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const {
-  Eigen::MatrixXd amplitudes(field.rows(), fields_.cols()), solved(field.rows(), fields_.cols());
-  multiply(field, fields_, amplitudes);
+  const double size = field.lpNorm<Eigen::Infinity>();
+  if (size == 0) return void(result.setZero(field.rows(), field.cols()));
+  const Index n = field.rows();
+  Eigen::MatrixXf single = (field / size).cast<float>(), amplitudes(n_rings_, fields_.cols()),
+                  solved(n_rings_, fields_.cols());
+  multiply(single, fields_, amplitudes.topRows(n));
+  amplitudes.bottomRows(n_rings_ - n).setZero();
   for (const auto& block : blocks_) {
-    const Index rows = field.rows() * block.n_components;
-    multiply(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
-             columns_of(solved, block.first, rows, block.n_copies));
+    const Index rows = n_rings_ * block.n_components;
+    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
+                       columns_of(solved, block.first, rows, block.n_copies));
   }
-  result.resize(field.rows(), fields_.rows());
-  multiply(solved, transposed_, result);
+  multiply(solved.topRows(n), transposed_, single);
+  result = single.cast<double>() * (size * scale_);
 }
 
 }  // namespace fretval::fem

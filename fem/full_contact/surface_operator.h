@@ -16,22 +16,20 @@ struct OrderBlock {
   SharedMatrix matrix;
 };
 
-/// Response of a body of unit shear modulus to fields on rings x angles: n_rings rows, and as many columns as there are
-/// kept angles for each field, t_x before t_y before p. With the amplitudes T f of a field f (amplitudes_of) and the
-/// blocks C of a SurfaceCompliance
+/// Response of a body of unit shear modulus to tractions (u_x, u_y) or to pressures (u into the body), which are fields
+/// on rings x angles: n_rings rows, and a column for each kept angle, t_x before t_y. With the amplitudes T f of a
+/// field f (amplitudes_of) and the blocks C of a SurfaceCompliance
 ///
 ///   K f = T^T C T f,
 ///
-/// each entry of which is the mean displacement of a point times its area: (u_x, u_y) for t, and the displacement into
-/// the body for p. Displacements are read by the same amplitudes as the fields are made of, so that K is symmetric
-/// positive definite up to the highest harmonic, and f . K f is the work of the tractions. The part of a displacement
-/// in a harmonic that the fields do not have is left out. Length^3 per shear modulus. An application takes some
-/// n_orders x n_rings^2 operations.
+/// each entry of which is the mean displacement of a point times its area. Displacements are read by the same
+/// amplitudes as the fields are made of, so that K is symmetric positive definite up to the highest harmonic, and f . K
+/// f is the work of the tractions. The part of a displacement in a harmonic that the fields do not have is left out.
+/// Length^3 per shear modulus. An application takes some n_orders x n_rings^2 operations.
 class SurfaceOperator {
  public:
-  /// coupling: whether pressures displace along the surface and tractions across it. Throws std::invalid_argument for a
-  /// compliance that lacks orders which the grid draws on.
-  SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, Fields fields, bool coupling = true);
+  /// Throws std::invalid_argument for a compliance that lacks orders which the grid draws on.
+  SurfaceOperator(const SurfaceCompliance& surface, const AngularGrid& grid, SurfaceField field);
 
   /// The operator of the first n_rings rings alone.
   [[nodiscard]] SurfaceOperator leading(Eigen::Index n_rings) const;
@@ -59,20 +57,56 @@ class SurfaceOperator {
   std::vector<OrderBlock> blocks_;
 };
 
+/// What pressures do along the surface and tractions across it: with the amplitudes of both and the blocks of a
+/// SurfaceCompliance between them, X = T_t^T C_tz T_z and its transpose. With K of each field,
+///
+///   [ K_t   X  ] [ t ]
+///   [ X^T  K_z ] [ p ]
+///
+/// is the response to both, symmetric positive definite. Units as of SurfaceOperator.
+class CouplingOperator {
+ public:
+  /// Of a contact in which neither does anything.
+  CouplingOperator() = default;
+  /// Throws std::invalid_argument as SurfaceOperator does.
+  CouplingOperator(const SurfaceCompliance& surface, const AngularGrid& grid);
+
+  /// moved <- X p, n_rings x 2 n_angles.
+  void along_surface(const Eigen::MatrixXd& pressure, Eigen::MatrixXd& moved) const;
+  /// moved <- X^T t, n_rings x n_angles.
+  void into_body(const Eigen::MatrixXd& traction, Eigen::MatrixXd& moved) const;
+
+ private:
+  struct Block {
+    Eigen::Index tangential, n_components;  ///< first amplitude of the tractions, and how many
+    Eigen::Index normal;                    ///< amplitude of the pressures
+    Eigen::MatrixXd matrix;                 ///< n_components times n_rings rows, n_rings columns
+  };
+  Eigen::MatrixXd tangential_, normal_, tangential_transposed_, normal_transposed_;
+  std::vector<Block> blocks_;
+};
+
 /// The inverse of K + D, in which points are tied to the ground by D, a stiffness per ring times the area of a point.
-/// It is exact but for the highest harmonic of an even number of angles, and symmetric positive definite: a
-/// preconditioner of conjugate gradients.
+/// It is symmetric positive definite, and exact but for the highest harmonic of an even number of angles and for single
+/// precision, in which its blocks take half of the time: a preconditioner of conjugate gradients.
 class InverseOperator {
  public:
   /// ground: stiffness of each ring to the ground, not negative. Throws SolverError where a block is not positive
   /// definite.
   InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground);
 
+  /// field: of as many rings as the operator had, or fewer; it is zero on the others, where the result is left out.
   void apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const;
 
  private:
-  Eigen::MatrixXd fields_, transposed_;  // of unit amplitudes, a column each
-  std::vector<OrderBlock> blocks_;       // inverses
+  struct Block {
+    Eigen::Index first, n_components, n_copies;  ///< as of OrderBlock
+    Eigen::MatrixXf matrix;                      ///< the inverse over scale_
+  };
+  Eigen::MatrixXf fields_, transposed_;  // of unit amplitudes, a column each
+  Eigen::Index n_rings_;
+  double scale_ = 0;
+  std::vector<Block> blocks_;
 };
 
 }  // namespace fretval::fem

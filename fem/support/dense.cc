@@ -58,17 +58,35 @@ void add_columns(const double* columns, Index stride, const double (&factors)[n_
   }
 }
 
-/// y <- A x, n_registers of rows of a matrix at a time. Whatever their width, sums are the same to the last bit.
-template <Index width, Index n_registers>
-void multiply_rows(const double* columns, Index stride, Index n_columns, const double* x, double* y) {
-  using Register [[gnu::vector_size(width * sizeof(double))]] = double;
-  Register sums[n_registers]{}, read;
-  for (Index j = 0; j < n_columns; ++j)
-    for (Index part = 0; part < n_registers; ++part) {
-      std::memcpy(&read, columns + j * stride + part * width, sizeof(Register));
-      sums[part] += x[j] * read;
-    }
-  std::memcpy(y, sums, sizeof(sums));
+void gemm(CBLAS_TRANSPOSE transpose, blasint m, blasint n, blasint k, const double* a, blasint lda, const double* x,
+          blasint ldx, double* y, blasint ldy) {
+  cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, m, n, k, 1, a, lda, x, ldx, 0, y, ldy);
+}
+void gemm(CBLAS_TRANSPOSE transpose, blasint m, blasint n, blasint k, const float* a, blasint lda, const float* x,
+          blasint ldx, float* y, blasint ldy) {
+  cblas_sgemm(CblasColMajor, transpose, CblasNoTrans, m, n, k, 1, a, lda, x, ldx, 0, y, ldy);
+}
+
+void symv(blasint n, const double* a, const double* x, double* y) {
+  cblas_dsymv(CblasColMajor, CblasLower, n, 1, a, n, x, 1, 0, y, 1);
+}
+void symv(blasint n, const float* a, const float* x, float* y) {
+  cblas_ssymv(CblasColMajor, CblasLower, n, 1, a, n, x, 1, 0, y, 1);
+}
+
+/// y <- A x or A^T x.
+template <class Matrix>
+void product(CBLAS_TRANSPOSE transpose, const Eigen::Ref<const Matrix>& a, const Eigen::Ref<const Matrix>& x,
+             Eigen::Ref<Matrix>& y) {
+  gemm(transpose, static_cast<blasint>(y.rows()), static_cast<blasint>(x.cols()), static_cast<blasint>(x.rows()),
+       a.data(), static_cast<blasint>(a.outerStride()), x.data(), static_cast<blasint>(x.outerStride()), y.data(),
+       static_cast<blasint>(y.outerStride()));
+}
+
+template <class Matrix>
+void symmetric_product(const Matrix& a, const Eigen::Ref<const Matrix>& x, Eigen::Ref<Matrix>& y) {
+  if (x.cols() == 1) return symv(static_cast<blasint>(a.rows()), a.data(), x.data(), y.data());
+  product<Matrix>(CblasTrans, a, x, y);
 }
 
 }  // namespace
@@ -148,25 +166,29 @@ void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::In
               static_cast<blasint>(matrix.rows()), x.data(), 1, 1, y.data(), 1);
 }
 
-void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+void multiply(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
               Eigen::Ref<Eigen::MatrixXd> y) {
-  const Index n_rows = matrix.rows(), n_columns = matrix.cols();
-  in_wide_registers([&, columns = matrix.data()](auto width) {
-    constexpr Index many = 16 / width;
-    for (Index k = 0; k < x.cols(); ++k) {
-      const double* from = x.data() + k * x.outerStride();
-      double* to = y.data() + k * y.outerStride();
-      Index i = 0;
-      for (; i + 16 <= n_rows; i += 16) multiply_rows<width, many>(columns + i, n_rows, n_columns, from, to + i);
-      for (; i + at_once <= n_rows; i += at_once)
-        multiply_rows<width, at_once / width>(columns + i, n_rows, n_columns, from, to + i);
-      for (; i < n_rows; ++i) {
-        double sum = 0;
-        for (Index j = 0; j < n_columns; ++j) sum += from[j] * columns[j * n_rows + i];
-        to[i] = sum;
-      }
-    }
-  });
+  product<Eigen::MatrixXd>(CblasNoTrans, matrix, x, y);
+}
+
+void multiply(const Eigen::Ref<const Eigen::MatrixXf>& matrix, const Eigen::Ref<const Eigen::MatrixXf>& x,
+              Eigen::Ref<Eigen::MatrixXf> y) {
+  product<Eigen::MatrixXf>(CblasNoTrans, matrix, x, y);
+}
+
+void multiply_by_transpose(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                           Eigen::Ref<Eigen::MatrixXd> y) {
+  product<Eigen::MatrixXd>(CblasTrans, matrix, x, y);
+}
+
+void multiply_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                        Eigen::Ref<Eigen::MatrixXd> y) {
+  symmetric_product(matrix, x, y);
+}
+
+void multiply_symmetric(const Eigen::MatrixXf& matrix, const Eigen::Ref<const Eigen::MatrixXf>& x,
+                        Eigen::Ref<Eigen::MatrixXf> y) {
+  symmetric_product(matrix, x, y);
 }
 
 std::optional<Eigen::MatrixXd> inverse(Eigen::MatrixXd matrix) {

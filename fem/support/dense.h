@@ -39,8 +39,22 @@ inline void multiply_trailing(const Eigen::MatrixXd& lower, Eigen::Ref<Eigen::Ve
 void subtract_product(const Eigen::MatrixXd& matrix, Eigen::Index row, Eigen::Index column,
                       const Eigen::Ref<const Eigen::VectorXd>& x, Eigen::Ref<Eigen::VectorXd> y);
 
-/// y <- A x, column by column of x.
-void multiply(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x, Eigen::Ref<Eigen::MatrixXd> y);
+// Products with several columns at once, which BLAS is faster with from 16 rows on.
+
+/// y <- A x, and y <- A^T x.
+void multiply(const Eigen::Ref<const Eigen::MatrixXd>& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+              Eigen::Ref<Eigen::MatrixXd> y);
+void multiply(const Eigen::Ref<const Eigen::MatrixXf>& matrix, const Eigen::Ref<const Eigen::MatrixXf>& x,
+              Eigen::Ref<Eigen::MatrixXf> y);
+void multiply_by_transpose(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                           Eigen::Ref<Eigen::MatrixXd> y);
+
+/// y <- A x for a symmetric matrix A, both of whose triangles are there. A single column takes half of the memory
+/// traffic of multiply().
+void multiply_symmetric(const Eigen::MatrixXd& matrix, const Eigen::Ref<const Eigen::MatrixXd>& x,
+                        Eigen::Ref<Eigen::MatrixXd> y);
+void multiply_symmetric(const Eigen::MatrixXf& matrix, const Eigen::Ref<const Eigen::MatrixXf>& x,
+                        Eigen::Ref<Eigen::MatrixXf> y);
 
 /// The inverse of a symmetric matrix; empty: the matrix is not positive definite.
 std::optional<Eigen::MatrixXd> inverse(Eigen::MatrixXd matrix);

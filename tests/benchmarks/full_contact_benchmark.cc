@@ -41,7 +41,7 @@ void friction(benchmark::State& state, bool circle) {
   const auto motion = motion_of(circle);
   const auto lateral = fem::lateral_motion(motion);
   const auto grid = fem::angular_grid(n_angles, circle ? fem::Mirrors::none : fem::Mirrors::x_and_y);
-  const fem::SurfaceOperator op(scene.surface, grid, fem::Fields::tangential);
+  const fem::SurfaceOperator op(scene.surface, grid, fem::SurfaceField::tangential);
   for (auto _ : state) {
     const auto history = fem::vector_friction_history(
         fem::VectorFriction(op, {}, mu, lateral, n_steps),
@@ -71,8 +71,8 @@ void coupled(benchmark::State& state) {
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Unit(benchmark::kMillisecond)->ArgNames({"rings", "angles"});
-  for (const int rings : {24, 48, 96}) benchmark->Args({rings, 16});
-  benchmark->Args({48, 32});
+  for (const int rings : {24, 48, 96, 192}) benchmark->Args({rings, 16});
+  for (const int angles : {32, 64}) benchmark->Args({48, angles});
 }
 
 BENCHMARK_CAPTURE(friction, along_x, false)->Apply(sizes);

@@ -37,7 +37,7 @@ double expected(const Field& field, const FourierOrder& order, unsigned componen
 
 void expect_amplitudes(const AngularGrid& grid, const Field& field) {
   const auto values = field.on(grid);
-  for (const auto& amplitude : amplitudes_of(grid, Fields::tangential))
+  for (const auto& amplitude : amplitudes_of(grid, SurfaceField::tangential))
     EXPECT_NEAR(amplitude.weights.dot(values), expected(field, amplitude.order, amplitude.component), 1e-14)
         << grid.n_around << " angles, order " << amplitude.order.n;
 }
@@ -55,7 +55,7 @@ TEST(AngularGrid, FindsTheAmplitudesOfTheFieldsOfEveryOrder) {
 TEST(AngularGrid, FindsThoseOfAPressureWhichPushesIntoTheBody) {
   const auto grid = angular_grid(9);
   const Eigen::VectorXd pressure = 2 + (3 * grid.angles).array().sin();
-  for (const auto& amplitude : amplitudes_of(grid, Fields::normal)) {
+  for (const auto& amplitude : amplitudes_of(grid, SurfaceField::normal)) {
     const bool is_mean = amplitude.order.n == 0, is_wave = amplitude.order == FourierOrder{3, Parity::odd};
     EXPECT_NEAR(amplitude.weights.dot(pressure), is_mean ? -2 : is_wave ? -1 : 0, 1e-14) << amplitude.order.n;
   }
@@ -68,7 +68,7 @@ TEST(AngularGrid, LeavesOutWhatMirrorsMakeTheSame) {
     EXPECT_EQ(grid.n_kept() * grid.multiplicity(), 12);
     expect_amplitudes(grid, {{1, Parity::even}, 0.5, -0.5});
     expect_amplitudes(grid, {{3, Parity::even}, 0.7, -0.2});
-    for (const auto& amplitude : amplitudes_of(grid, Fields::tangential)) {
+    for (const auto& amplitude : amplitudes_of(grid, SurfaceField::tangential)) {
       EXPECT_EQ(amplitude.order.parity, Parity::even);
       if (mirrors == Mirrors::x_and_y) {
         EXPECT_EQ(amplitude.order.n % 2, 1U);

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "fem/full_contact/coupled_contact.h"
 #include "fem/full_contact/surface_compliance.h"
 #include "fem/full_contact/vector_friction.h"
 #include "fem/ring_contact/static_contact.h"
@@ -26,6 +27,18 @@ inline const SurfaceCompliance& surface_half_space(double poisson_ratio, unsigne
     found = bodies.emplace(key, surface_compliance(grid, highest_order)).first;
   }
   return found->second;
+}
+
+/// Areas times the displacements by tractions and pressures at once, fields with columns for t_x, t_y and p.
+inline Eigen::MatrixXd response(const CoupledOperators& operators, const Eigen::MatrixXd& fields) {
+  const Eigen::Index m = operators.normal.n_columns();
+  Eigen::MatrixXd along, into, along_by_pressure, into_by_traction, all(fields.rows(), fields.cols());
+  operators.tangential.apply(fields.leftCols(2 * m), along);
+  operators.normal.apply(fields.rightCols(m), into);
+  operators.coupling.along_surface(fields.rightCols(m), along_by_pressure);
+  operators.coupling.into_body(fields.leftCols(2 * m), into_by_traction);
+  all << along + along_by_pressure, into + into_by_traction;
+  return all;
 }
 
 /// Ring means of Hertz's pressure p0 sqrt(1 - r^2) over a unit disc.

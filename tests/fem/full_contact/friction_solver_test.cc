@@ -28,7 +28,7 @@ MatrixXd pull_by(const SurfaceOperator& op, double x, double y) {
 
 // What is kept of a problem must not stick to the next one, on fewer rings and under other limits.
 TEST(FrictionSolver, SolvesOneProblemAfterAnotherAsEachByItself) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), SurfaceField::tangential);
   const MatrixXd pressed = hertz_pressure(surface_half_space(0.5)).replicate(1, 8),
                  nothing = MatrixXd::Zero(op.n_rings(), 16);
   FrictionSolver solver(op);
@@ -43,7 +43,7 @@ TEST(FrictionSolver, SolvesOneProblemAfterAnotherAsEachByItself) {
 
 // Limits that vary around the axis, and a twist beside the push: nothing is left of any symmetry.
 TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(6), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(6), SurfaceField::tangential);
   MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 6);
   for (Index j = 0; j < 6; ++j) limit.col(j) *= 1 + 0.3 * std::cos(op.grid().angles[j] - 1);
   MatrixXd pull = pull_by(op, 0.5, 0.2);
@@ -55,7 +55,7 @@ TEST(FrictionSolver, FindsWhatProjectedGradientsFind) {
 }
 
 TEST(FrictionSolver, FulfilsCoulombsLawAtEveryPoint) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), SurfaceField::tangential);
   const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
   const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   MatrixXd image;
@@ -83,20 +83,20 @@ TEST(FrictionSolver, FulfilsCoulombsLawAtEveryPoint) {
 // With one response to a traction in any direction a push along x leaves nothing across it, and is the ring contact's.
 TEST(FrictionSolver, PushesAHalfSpaceWithoutPoissonsEffectAsCattaneoSays) {
   const auto& surface = surface_half_space(0, 16);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   const double c = 0.6;
   const MatrixXd limit = hertz_pressure(surface).replicate(1, 8), pull = pull_by(op, cattaneo_push(c, 0), 0);
   const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   const double force = (op.areas().transpose() * found.traction.leftCols(8)).sum();
   EXPECT_NEAR(force / (2 * pi / 3), 1 - c * c * c, 1e-3);                       // h^2
   EXPECT_LT(found.traction.rightCols(8).norm(), 2e-3 * found.traction.norm());  // cut off at 25, coarse
-  const SurfaceOperator incompressible(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const SurfaceOperator incompressible(surface_half_space(0.5, 16), angular_grid(8), SurfaceField::tangential);
   const auto other = FrictionSolver(incompressible).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   EXPECT_GT(other.traction.rightCols(8).norm(), 2e-2 * other.traction.norm());
 }
 
 TEST(FrictionSolver, DoesNotDependOnItsGuess) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(8), SurfaceField::tangential);
   const MatrixXd limit = hertz_pressure(surface_half_space(0.5)).replicate(1, 8), pull = pull_by(op, 0.4, 0.3);
   const auto found = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   const auto other = FrictionSolver(op).solve(pull, limit, -100 * found.traction + MatrixXd::Random(op.n_rings(), 16));
@@ -105,7 +105,7 @@ TEST(FrictionSolver, DoesNotDependOnItsGuess) {
 
 // A motion that turns back pulls every point that slips to the other side of its disc.
 TEST(FrictionSolver, TurnsBack) {
-  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), SurfaceField::tangential);
   const MatrixXd limit = hertz_pressure(surface_half_space(0.5, 16)).replicate(1, 8), pull = pull_by(op, 3, 0);
   const auto there = FrictionSolver(op).solve(pull, limit, MatrixXd::Zero(op.n_rings(), 16));
   EXPECT_NEAR(there.traction.leftCols(8).sum(), limit.sum(), 1e-3 * limit.sum());  // all of it slips
@@ -118,7 +118,7 @@ TEST(FrictionSolver, TurnsBack) {
 TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
   std::mt19937 random(1);
   const auto any = [&](double from, double to) { return std::uniform_real_distribution<double>(from, to)(random); };
-  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5, 16), angular_grid(8), SurfaceField::tangential);
   const auto field = [&](Index columns, double least, double most) {
     return MatrixXd(MatrixXd::NullaryExpr(op.n_rings(), columns, [&] { return any(least, most); }));
   };
@@ -133,7 +133,7 @@ TEST(FrictionSolver, ConvergesWhateverItIsAsked) {
 }
 
 TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), SurfaceField::tangential);
   const MatrixXd none = MatrixXd::Zero(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
   const auto found = FrictionSolver(op).solve(pull, none, pull);
   EXPECT_EQ(found.traction.norm(), 0);
@@ -141,7 +141,7 @@ TEST(FrictionSolver, HasNothingToDoWithoutLimits) {
 }
 
 TEST(FrictionSolver, RefusesWhatDoesNotFit) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), SurfaceField::tangential);
   const MatrixXd limit = MatrixXd::Ones(op.n_rings(), 4), pull = pull_by(op, 0.4, 0.3);
   EXPECT_THROW(FrictionSolver(op).solve(limit, limit, pull), std::invalid_argument);
   EXPECT_THROW(FrictionSolver(op).solve(pull, pull, pull), std::invalid_argument);

@@ -19,7 +19,7 @@ using full_contact_test::surface_half_space;
 TEST(NormalSolver, FindsThePressuresOfTheRingContact) {
   const auto& surface = surface_half_space(0.5);
   const ContactProblem rings(ring_compliance(surface, axisymmetric));
-  const SurfaceOperator op(surface, angular_grid(5), Fields::normal);
+  const SurfaceOperator op(surface, angular_grid(5), SurfaceField::normal);
   const VectorXd profile = ring_means(rings.compliance, [](double r) { return r * r; });
   const auto expected = static_contact(rings, profile, 0.9);
   const MatrixXd target = (op.areas().array() * (0.9 - profile.array())).matrix().replicate(1, 5);
@@ -31,7 +31,7 @@ TEST(NormalSolver, FindsThePressuresOfTheRingContact) {
 
 // An indenter that is not round, by the box solver with the whole matrix.
 TEST(NormalSolver, FindsWhatTheBoxSolverFindsAlsoAroundTheAxis) {
-  const SurfaceOperator op(surface_half_space(0.3), angular_grid(6), Fields::normal);
+  const SurfaceOperator op(surface_half_space(0.3), angular_grid(6), SurfaceField::normal);
   const Index n = op.n_rings() * 6;
   MatrixXd matrix(n, n), image, target(op.n_rings(), 6);
   for (Index i = 0; i < n; ++i) {
@@ -56,7 +56,7 @@ TEST(NormalSolver, FindsWhatTheBoxSolverFindsAlsoAroundTheAxis) {
 }
 
 TEST(NormalSolver, FindsNothingWhereNothingTouches) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::normal);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), SurfaceField::normal);
   const MatrixXd target = -op.areas().replicate(1, 4);
   const auto found = solve_pressure(op, target, MatrixXd::Ones(op.n_rings(), 4));
   EXPECT_EQ(found.pressure.norm(), 0);
@@ -64,7 +64,7 @@ TEST(NormalSolver, FindsNothingWhereNothingTouches) {
 }
 
 TEST(NormalSolver, RefusesWhatDoesNotFit) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::normal);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), SurfaceField::normal);
   const MatrixXd none = MatrixXd::Zero(op.n_rings(), 4);
   EXPECT_THROW(solve_pressure(op, none, MatrixXd::Zero(op.n_rings(), 3)), std::invalid_argument);
   EXPECT_THROW(solve_pressure(op, none.array() + std::nan(""), none), std::invalid_argument);

@@ -16,7 +16,7 @@ using full_contact_test::surface_half_space;
 
 // K is symmetric, so that the Rayleigh quotient of no field exceeds its largest eigenvalue.
 TEST(ProjectedGradients, StepByTheLargestEigenvalue) {
-  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), Fields::tangential);
+  const SurfaceOperator op(surface_half_space(0.5), angular_grid(4), SurfaceField::tangential);
   const double largest = largest_eigenvalue(op);
   MatrixXd field = MatrixXd::Ones(op.n_rings(), op.n_columns()), image;
   for (int k = 0; k < 3; ++k) {

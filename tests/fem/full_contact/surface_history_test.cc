@@ -18,7 +18,7 @@ using full_contact_test::surface_half_space;
 /// A push along x to a displacement, in one cycle of 16 steps.
 SurfaceHistory pushed(double nu, double displacement, unsigned n_around, Mirrors mirrors = Mirrors::x_and_y) {
   const auto& surface = surface_half_space(nu, 16);
-  const SurfaceOperator op(surface, angular_grid(n_around, mirrors), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(n_around, mirrors), SurfaceField::tangential);
   const auto rings = ring_problems(surface);
   const LateralMotion push{[=](double t, double) {
                              return ValueAndRate{displacement * t / (2 * pi), displacement / (2 * pi)};
@@ -62,7 +62,7 @@ TEST(SurfaceHistory, DoesNotDependOnTheAnglesThatAreLeftOut) {
 // The contact is where any pressure has been, whatever is left of it at the end; one cycle has none to be compared to.
 TEST(SurfaceHistory, HasTheContactOfTheWholeCycle) {
   const auto& surface = surface_half_space(0, 16);
-  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), SurfaceField::tangential);
   const LateralMotion rest{[](double, double) {
                              return ValueAndRate{0, 0};
                            },
@@ -83,7 +83,7 @@ TEST(SurfaceHistory, HasTheContactOfTheWholeCycle) {
 // To and fro under a constant pressure nothing shakes down: both regions are one, and the second cycle repeats.
 TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
   const auto& surface = surface_half_space(0, 16);
-  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), SurfaceField::tangential);
   const auto rings = ring_problems(surface);
   const double c = 0.6, amplitude = cattaneo_push(c, 0);
   const LateralMotion motion{[=](double t, double) {
@@ -111,8 +111,8 @@ TEST(SurfaceHistory, OfMindlinsOscillationHasOneRegionAndItsEnergy) {
 // every cycle, and micro-slip dies out over many of them without moving the edge.
 TEST(SurfaceHistory, TellsPointsThatHaveShakenDownFromThoseThatSlip) {
   const auto& surface = surface_half_space(0.5, 16);
-  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential),
-      of_rings(surface, angular_grid(1), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), SurfaceField::tangential),
+      of_rings(surface, angular_grid(1), SurfaceField::tangential);
   const auto rings = ring_problems(surface);
   const LateralMotion motion{[](double t, double) {
                                return ValueAndRate{0.2 * std::sin(t), 0.2 * std::cos(t)};

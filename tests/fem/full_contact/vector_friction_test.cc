@@ -34,7 +34,7 @@ LateralMotion ellipse(double along, double across, double turned_by, double phas
 TEST(VectorFriction, WithOneAngleIsTheRingContact) {
   const auto& surface = surface_half_space(0.5);
   const ContactProblem rings(ring_compliance(surface, lateral));
-  const SurfaceOperator op(surface, angular_grid(1), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(1), SurfaceField::tangential);
   const auto motion = one_frequency(1, 0, 0.5, 0.3);
   const LateralMotion along_x{[&](double t, double) { return tangential_motion(motion, t); },
                               [](double, double) {
@@ -58,7 +58,7 @@ TEST(VectorFriction, WithOneAngleIsTheRingContact) {
 
 TEST(VectorFriction, TurnsWithItsMotion) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   const auto motion = ellipse(0.6, 0.3, 0), turned = ellipse(0.6, 0.3, pi / 2);
   const RelaxationModel relaxation{1, {1}, {0.5}, 0};
   VectorFriction one(op, relaxation, 0.8, motion, n_steps), other(op, relaxation, 0.8, turned, n_steps);
@@ -79,9 +79,9 @@ TEST(VectorFriction, TurnsWithItsMotion) {
 TEST(VectorFriction, NeedsNoAnglesThatMirrorsLeaveOut) {
   const auto& surface = surface_half_space(0.5);
   const auto motion = ellipse(0.6, 0, 0);
-  const SurfaceOperator whole(surface, angular_grid(8), Fields::tangential),
-      half(surface, angular_grid(8, Mirrors::x), Fields::tangential),
-      quarter(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential);
+  const SurfaceOperator whole(surface, angular_grid(8), SurfaceField::tangential),
+      half(surface, angular_grid(8, Mirrors::x), SurfaceField::tangential),
+      quarter(surface, angular_grid(8, Mirrors::x_and_y), SurfaceField::tangential);
   VectorFriction one(whole, {}, 0.8, motion, n_steps), two(half, {}, 0.8, motion, n_steps),
       four(quarter, {}, 0.8, motion, n_steps);
   for (int k = 0; k < n_steps; ++k) {
@@ -97,7 +97,7 @@ TEST(VectorFriction, NeedsNoAnglesThatMirrorsLeaveOut) {
 /// What the indenter has put in, by the trapezoidal rule, less what an elastic body has stored and friction has lost.
 double energy_left(double n_cycles, int steps, double scale) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   const auto motion = ellipse(0.6, 0.4, 0.3);
   VectorFriction friction(op, {}, scale, motion, steps);
   double work = 0, lost = 0;
@@ -146,7 +146,7 @@ double lost_in_a_cycle(const SurfaceOperator& op, const RelaxationModel& relaxat
 // The direction of slip turns all the time, and differently at each point; points begin and end to slip inside steps.
 TEST(VectorFriction, IsOfHigherThanFirstOrderInItsSteps) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   for (const auto& relaxation : {RelaxationModel{}, RelaxationModel{1, {0.5, 2}, {1, 0.1}, 0}}) {
     std::vector<double> lost;
     for (const int steps : {24, 48, 96})
@@ -163,7 +163,7 @@ TEST(VectorFriction, IsOfHigherThanFirstOrderInItsSteps) {
 TEST(VectorFriction, DragsADiscAroundACircle) {
   const auto& surface = surface_half_space(0, 1);
   ASSERT_EQ(surface.n_rings(), 1);
-  const SurfaceOperator op(surface, angular_grid(4), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(4), SurfaceField::tangential);
   const double force = 0.8 * op.areas()[0] * 4, radius = 1.5;
   MatrixXd traction = MatrixXd::Zero(1, 8), image;
   traction.leftCols(4).setConstant(0.8);
@@ -184,7 +184,7 @@ TEST(VectorFriction, DragsADiscAroundACircle) {
 // A circular motion holds the force at an angle to the motion, and the torque at zero.
 TEST(VectorFriction, GoesRoundWithACircularMotion) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   const auto circle = circle_of(0.4);
   VectorFriction friction(op, {}, 0.8, circle, n_steps);
   for (int k = 0; k < 4 * n_steps; ++k) friction.step(hertz_pressure(surface));
@@ -209,7 +209,7 @@ LateralMotion force_to_and_fro(double amplitude) {
 // Without a mirror the indenter follows F_y as well; a circle of forces under a constant pressure moves it in a circle.
 TEST(VectorFriction, FollowsForcesAround) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8), SurfaceField::tangential);
   const double amplitude = 0.6 * 0.8 * 2 * pi / 3;
   const LateralMotion circle{[=](double t, double) {
                                return ValueAndRate{amplitude * std::sin(t), amplitude * std::cos(t)};
@@ -238,7 +238,7 @@ TEST(VectorFriction, FollowsForcesAround) {
 // Prescribed as displacements, the way that a force has taken leads to the same force.
 TEST(VectorFriction, FollowsAForce) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(8, Mirrors::x_and_y), SurfaceField::tangential);
   const double borne = 0.8 * 2 * pi / 3, amplitude = 0.7 * borne;
   const auto force = force_to_and_fro(amplitude);
   for (const auto& relaxation : {RelaxationModel{}, RelaxationModel{1, {1}, {0.5}, 0}}) {
@@ -272,7 +272,7 @@ TEST(VectorFriction, FollowsAForce) {
 
 TEST(VectorFriction, SlidesWhereFrictionDoesNotBearTheForce) {
   const auto& surface = surface_half_space(0.5);
-  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), Fields::tangential);
+  const SurfaceOperator op(surface, angular_grid(4, Mirrors::x_and_y), SurfaceField::tangential);
   const auto force = force_to_and_fro(1.01 * 0.8 * 2 * pi / 3);
   VectorFriction pushed(op, {}, 0.8, force, n_steps);
   EXPECT_THROW(

@@ -57,7 +57,29 @@ TEST(Dense, MultipliesByWholeMatrices) {
     MatrixXd product(n, 3);
     multiply(matrix, x, product);
     EXPECT_LT((product - expected).norm(), roundoff * expected.norm()) << n;
+    multiply_by_transpose(MatrixXd(matrix.transpose()), x, product);
+    EXPECT_LT((product - expected).norm(), roundoff * expected.norm()) << n;
   }
+}
+
+// In both precisions, a column or several, into rows of a matrix that has more.
+TEST(Dense, MultipliesBySymmetricMatrices) {
+  constexpr float single = 1e-6F;
+  for (const Eigen::Index n : {1, 3, 16, 37})
+    for (const Eigen::Index n_columns : {1, 2, 5}) {
+      const MatrixXd matrix = positive_definite(n), x = random_matrix(n + 2, n_columns, 4),
+                     expected = matrix * x.topRows(n);
+      MatrixXd product = MatrixXd::Zero(n + 1, n_columns);
+      multiply_symmetric(matrix, x.topRows(n), product.topRows(n));
+      EXPECT_LT((product.topRows(n) - expected).norm(), roundoff * expected.norm()) << n;
+      EXPECT_EQ(product.row(n).norm(), 0);
+      const Eigen::MatrixXf in_single = matrix.cast<float>(), x_in_single = x.cast<float>();
+      Eigen::MatrixXf single_product(n, n_columns);
+      multiply_symmetric(in_single, x_in_single.topRows(n), single_product);
+      EXPECT_LT((single_product - expected.cast<float>()).norm(), single * expected.cast<float>().norm()) << n;
+      multiply(in_single, x_in_single.topRows(n), single_product);
+      EXPECT_LT((single_product - expected.cast<float>()).norm(), single * expected.cast<float>().norm()) << n;
+    }
 }
 
 TEST(Dense, InvertsWhatIsPositiveDefiniteAlone) {
