@@ -17,11 +17,11 @@ namespace fretval::fem {
 /// D the depths and k the force per radius of a PunchSeries, a the contact radius. It is smooth while the edge crosses
 /// a ring, which the pressure of the innermost ring is not (5e-6 and 2e-4 of Hertz's at 32 rings). The innermost depths
 /// are off by the shape of the tip, so D(0) - D(x) ~ x^n of an indenter f ~ r^n, n > 1, is continued to the axis from
-/// two rings beyond them, and what is left of it integrated up to the edge. On another body than a half-space no such
-/// formula is known, and the pressure of the innermost rings is continued to the axis as an even polynomial. pressure:
-/// rings x instants of a period; contact_radius: at those instants; n: exponent of the tip; pieces: of their steps
-/// along a path, empty for cosines. Instants at which the contact has too few rings for this do not count; the result
-/// is empty if it always has.
+/// two rings beyond them (farther out for n < 2), and what is left of it integrated up to the edge. On another body
+/// than a half-space no such formula is known, and the pressure of the innermost rings is continued to the axis as an
+/// even polynomial. pressure: rings x instants of a period; contact_radius: at those instants; n: exponent of the tip;
+/// pieces: of their steps along a path, empty for cosines. Instants at which the contact has too few rings for this do
+/// not count; the result is empty if it always has.
 std::optional<double> axis_pressure_max(const PunchSeries& series, const Eigen::MatrixXd& pressure,
                                         const Eigen::VectorXd& contact_radius, double n,
                                         const std::vector<StepInPiece>& pieces = {});

@@ -33,7 +33,8 @@ double worst_error(unsigned n_rings, double n) {
 TEST(AxisPressure, IsThatOfTheExactSolutionWhereverTheEdgeIs) {
   EXPECT_LT(worst_error(32, 2), 7e-6);
   EXPECT_LT(worst_error(32, 4), 5e-5);
-  EXPECT_LT(worst_error(32, 1.5), 2e-4);
+  EXPECT_LT(worst_error(32, 1.5), 2e-5);
+  EXPECT_LT(worst_error(32, 1.1), 3e-5);
   EXPECT_LT(worst_error(64, 2), 5e-6);
 }
 
