@@ -91,9 +91,12 @@ Scales scales_of(const FeAnswer& fe, const Units& units) {
 
 Quantities compared_quantities(const Readings& readings, const Scales& scales, const Units& units) {
   Quantities quantities;
-  for (const auto& [quantity, reading] : readings)
-    if (reading.is_compared && (reading.value || !is_relative(quantity, scales)))
-      quantities[quantity] = reading.value ? compared_value(quantity, *reading.value, scales, units) : 0;
+  for (const auto& [quantity, reading] : readings) {
+    if (!reading.is_compared) continue;
+    const double value = reading.value.value_or(0);
+    if (is_relative(quantity, scales) && value <= 0) continue;  // no larger than its error, or absent
+    quantities[quantity] = reading.value ? compared_value(quantity, value, scales, units) : 0;
+  }
   return quantities;
 }
 

@@ -14,7 +14,8 @@ Readings readings_of(const FeAnswer& fe, const Units& units);
 /// scale of radii is 0.
 Scales scales_of(const FeAnswer& fe, const Units& units);
 
-/// The readings that are compared, in the units of comparison (Quantities).
+/// The readings that are compared, in the units of comparison (Quantities). A quantity whose differences are relative
+/// is left out where it is not positive, as the loop of a small amplitude on coarse rings: nothing is known of it.
 Quantities compared_quantities(const Readings& readings, const Scales& scales, const Units& units);
 
 /// The quantities of an answer of the finite elements, in the units of comparison.

@@ -27,7 +27,7 @@ PeakBounds peak_bounds(const Eigen::VectorXd& samples) {
     const auto [least, most] = std::minmax({-of_negative.minimum_of_quartic(), -of_negative.vertex_of_parabola()});
     return {least, most};
   }
-  double most = at(0);
+  double most = std::max(at(0), -of_negative.vertex_of_parabola());
   for (const Eigen::Index begin : {-1, 0})
     most = std::max(most, std::min(largest_of_parabola(at(begin - 2), at(begin - 1), at(begin), 2),
                                    largest_of_parabola(at(begin + 1), at(begin + 2), at(begin + 3), -1)));

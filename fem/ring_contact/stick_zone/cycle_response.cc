@@ -6,6 +6,7 @@
 
 #include "fem/motion/peak_bounds.h"
 #include "fem/motion/running_minimum.h"
+#include "fem/motion/sampled_minimum.h"
 #include "fem/ring_contact/stick_zone/largest_force.h"
 #include "fem/support/constants.h"
 
@@ -87,6 +88,24 @@ CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion
   return {friction.force[largest] < 0 ? -off[largest] : off[largest], off.mean(), work};
 }
 
+/// The largest normal force in the steps next to sample k of a period, which may lie between two samples but for a
+/// path, whose kinks are at its rows.
+double largest_normal_force_beside(const NormalHistory& normal, const FrictionHistory& friction, Eigen::Index k) {
+  const auto n = friction.force.size();
+  const auto at = [&](Eigen::Index i) {
+    const auto column = normal.column(friction.n_steps - n + (i % n + n) % n + 1);
+    return normal.force[column] + normal.force_beyond[column];
+  };
+  double largest = 0;
+  for (Eigen::Index i = k - 1; i <= k + 1; ++i) {
+    largest = std::max(largest, at(i));
+    if (!normal.pieces.empty() || at(i) < std::max(at(i - 1), at(i + 1))) continue;
+    const SampledMinimum of_negative(-at(i - 2), -at(i - 1), -at(i), -at(i + 1), -at(i + 2));
+    largest = std::max(largest, -of_negative.vertex_of_parabola());
+  }
+  return largest;
+}
+
 /// Largest |F_x| of the last period, with what reading it between the samples leaves open. It is not more than mu times
 /// the largest of the normal forces next to the largest sample: where a sliding contact turns, what interpolates goes
 /// beyond that.
@@ -94,15 +113,9 @@ LargestForce largest_tangential_force(double friction_coefficient, const Motion&
                                       const FrictionHistory& friction) {
   const double read = largest_magnitude_of_period(friction.force, normal.pieces);
   if (motion.tangential_force) return {read, 0};
-  const auto n = friction.force.size();
   Eigen::Index largest = 0;
   const double sample = friction.force.cwiseAbs().maxCoeff(&largest);
-  double limit = 0;
-  for (Eigen::Index k = largest - 1; k <= largest + 1; ++k) {
-    const auto column = normal.column(friction.n_steps - n + (k + n) % n + 1);
-    limit = std::max(limit, friction_coefficient * (normal.force[column] + normal.force_beyond[column]));
-  }
-  limit = std::max(sample, limit);
+  const double limit = std::max(sample, friction_coefficient * largest_normal_force_beside(normal, friction, largest));
   const double value = std::min(read, limit);
   if (motion.path) return {value, 0};  // whose kinks are at its rows
   const auto forward = peak_bounds(friction.force), backward = peak_bounds(-friction.force);

@@ -42,6 +42,18 @@ TEST(FeReadings, InUnitsOfComparisonAreThoseOfTheSameMdr) {
   EXPECT_EQ(quantities, worn);
 }
 
+TEST(FeReadings, LeaveOutRelativeValuesThatAreNotPositive) {
+  const Scales scales{1, 1, 1};
+  const auto known = [&](Quantity quantity, double value) {
+    return compared_quantities({{quantity, {value}}}, scales, some_units).count(quantity) == 1;
+  };
+  EXPECT_TRUE(known(Quantity::tangential_work, 1e-9));
+  EXPECT_FALSE(known(Quantity::tangential_work, 0));
+  EXPECT_FALSE(known(Quantity::tangential_work, -1e-9));
+  EXPECT_TRUE(known(Quantity::friction_work, -1e-9));           // over what sliding costs
+  EXPECT_TRUE(known(Quantity::tangential_work, std::nan("")));  // is a failure, and must show
+}
+
 TEST(FeReadings, SayWhyThereIsNoValue) {
   FeAnswer fe;
   fe.stick_radius_shakedown = 1;

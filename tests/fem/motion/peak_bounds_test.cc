@@ -54,5 +54,20 @@ TEST(PeakBounds, HoldThePeakOfASignalThatBends) {
   EXPECT_LT(width[1], width[0] / 3);
 }
 
+// A steep rise up to an instant from which on the signal is a cosine that still rises, by more than a step.
+TEST(PeakBounds, HoldThePeakOfASignalThatBendsAStepBeforeIt) {
+  const double bend = -0.15;
+  const auto signal = [&](double t) {
+    const double since = std::remainder(t - 3, 2 * pi);
+    return std::cos(since) + (since < bend ? 8 * (since - bend) : 0);
+  };
+  for (int k = 0; k < 20; ++k) {
+    const auto found = peak_bounds(samples_of(signal, 64, k / 20.0));
+    EXPECT_LE(found.least, 1);
+    EXPECT_GE(found.most, 1 - 1e-5) << k;
+    EXPECT_LE(found.most - found.least, 3e-3);
+  }
+}
+
 }  // namespace
 }  // namespace fretval::fem::peak_bounds_test

@@ -131,6 +131,22 @@ TEST(CycleResponse, LargestForceIsNotBeyondTheFrictionLimit) {
   EXPECT_GT(largest(1), 1.02) << "it sticks";
 }
 
+// The contact begins to slide a step before mu F_N is largest, half a step after a sample.
+TEST(CycleResponse, KnowsTheFrictionLimitBetweenTheSteps) {
+  auto s = sampled(24);
+  const double step = 2 * pi / 24;
+  for (Eigen::Index k = 0; k < 24; ++k) {
+    s.normal.force[k] = 2 + 0.6 * std::cos((static_cast<double>(k) - 11.5) * step);
+    const double sliding = 0.5 * s.normal.force[k];
+    s.friction.force[k] = k < 10 ? sliding - 0.12 * (10 - static_cast<double>(k)) : k < 13 ? sliding : -1;
+  }
+  const double between = 1.3, sampled_most = s.friction.force.maxCoeff();
+  const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
+  EXPECT_LT(sampled_most, between - 2e-3);
+  EXPECT_NEAR(response.tangential_force_max, between, 1e-4);
+  EXPECT_NEAR(response.tangential_force_max + response.largest_between_steps, between, 1e-4);
+}
+
 TEST(CycleResponse, MeanForceIsUncertainByTheMeanAndTheLargestByItsOwnStep) {
   auto s = sampled(36);
   s.friction.force_uncertainty = Eigen::VectorXd::LinSpaced(36, 0.001, 0.005);
