@@ -164,6 +164,70 @@ TEST(CaseInputs, HaveForcesAndWhatWasMeasured) {
   EXPECT_EQ(found.count("Indentation"), 0U);
 }
 
+/// Section, name, value and unit of each.
+std::string listed(const Case& input) {
+  std::string text;
+  for (const auto& one : inputs_json(input))
+    text += one.at("section").get<std::string>() + " / " + one.at("name").get<std::string>() + " = " +
+            one.at("value").dump() + " " + one.at("unit").get<std::string>() + "\n";
+  return text;
+}
+
+void expect_listed(const Case& input, const std::vector<std::string>& lines) {
+  for (const auto& line : lines) EXPECT_NE(listed(input).find(line + "\n"), std::string::npos) << line;
+}
+
+// Each entry that is one of several words, with the word that a new case does not have, beside the one that it has.
+TEST(CaseInputs, HaveTheOtherWordsToo) {
+  Case input{};
+  input.motion.phase = 30;
+  input.contact = {true, false};
+  input.body = {Case::Body::Shape::layer, 2e-3, 0, false};
+  expect_listed(input, {"Motion / Phase = 30.0 °", "Contact / Coupling = \"off\" ", "Body / Base = \"frictionless\" ",
+                        "Body / Thickness = 0.002 m"});
+  EXPECT_EQ(listed(input).find("Second algorithm"), std::string::npos);
+  EXPECT_EQ(listed(input).find("Mesh unit"), std::string::npos);
+  EXPECT_EQ(listed(input).find("Cycle tolerance"), std::string::npos);
+  input.contact.second_algorithm = true;
+  input.body.is_bonded = true;
+  input.tolerance = 1e-2;
+  input.cycle_tolerance = 3e-3;
+  expect_listed(input, {"Contact / Second algorithm = \"on\" ", "Body / Base = \"bonded\" ",
+                        "Accuracy / Tolerance = 0.01 ", "Accuracy / Cycle tolerance = 0.003 "});
+  input.motion.path = Case::Path{{{0, 1}, {1e-4, 1e-4}, {0, 1e-5}, false}, "rig.csv"};
+  expect_listed(input, {"Motion / Path = \"rig.csv\" ", "Motion / Path repeats = \"once\" "});
+  input.motion.path->repeats = true;
+  expect_listed(input, {"Motion / Path repeats = \"forever\" "});
+}
+
+// A power law of exponent 3 has a coefficient in m^-2; the hardness, the alignment and the test are inputs as well.
+TEST(CaseInputs, HaveWhatDataWereTakenAs) {
+  Case input{};
+  input.indenter.shape = Case::Shape::power;
+  input.indenter.coefficient = 4e4;
+  input.indenter.exponent = 3;
+  input.elastomer.shore_a = 40;
+  input.elastomer.relaxed_modulus = 5e5;
+  input.elastomer.test_duration = Case::TestDuration{3600, 2e5, {}, {}, 0};
+  input.wear_kinetics = Case::WearKinetics{Case::WearLaw::archard, 1e-12, 1, {}, 0, "", "worn_rings.csv"};
+  input.body.mesh_unit = 1;
+  expect_listed(input, {"Indenter / Coefficient = 40000.0 m^-2", "Elastomer / Shore A = 40.0 ",
+                        "Elastomer / Duration of the test = 3600.0 s",
+                        "Elastomer / Relaxed shear modulus = 500000.0 Pa", "Wear / Worn rings = \"worn_rings.csv\" "});
+  EXPECT_EQ(listed(input).find("Table alignment"), std::string::npos);
+  EXPECT_EQ(listed(input).find("Profile"), std::string::npos);
+  input.indenter.trace = Case::AlignedTrace{};
+  expect_listed(input, {"Indenter / Table alignment = \"fit\" "});
+  EXPECT_EQ(listed(Case{}).find("Shore A"), std::string::npos);
+}
+
+// Of an absent value there is a dash, and of temperatures and of nothing no prefix.
+TEST(CaseInputs, AreWrittenWithoutPrefixesWhereThereIsNone) {
+  EXPECT_EQ(input_text(nullptr, "m", 6), "–");
+  EXPECT_EQ(input_text(0, "m", 6), "0 m");
+  EXPECT_EQ(input_text(25, "degC", 6), "25 °C");
+}
+
 TEST(CaseInputs, NameTheAmplitudeThatFollows) {
   Case input{};
   input.motion.tangential_amplitude = std::nan("");

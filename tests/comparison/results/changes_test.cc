@@ -71,6 +71,22 @@ TEST(Changes, OfARadiusThatIsGoneIsBeyondAnyBar) {
   expect_parts(changes_text(changes_between({result()}, {other})), {"500.000 µm -> none"});
 }
 
+// Nothing moves beyond a bar, but a radius has moved: by 1.9e-3 of the contact radius of the first folder, inwards. A
+// verdict that names another reason for passing is none that has changed.
+TEST(Changes, WithinTheBarsAreToldByTheirLargest) {
+  auto other = result(4.981e-4);
+  other.json["scene"]["contact_radius_unworn"] = 2e-3;
+  other.json["verdict"] = "agree";
+  auto before = result();
+  before.json["verdict"] = "other model";
+  const auto changes = changes_between({before}, {other});
+  EXPECT_TRUE(changes.verdicts.empty());
+  EXPECT_EQ(of(changes, Quantity::normal_force_max).difference, 0);
+  EXPECT_EQ(changes_text(changes), "0 of 2 values moved beyond their bars; the others by up to 1.9e-03\n");
+  const auto others = changes_between({result(), result(5e-4, "gone")}, {result(), result(5e-4, "new")});
+  expect_parts(changes_text(others), {"only in the first folder:\n  gone\nonly in the second folder:\n  new\n"});
+}
+
 TEST(Changes, NameOtherInputsVerdictsAndCases) {
   auto other = result();
   const auto entry = [](const char* section, const char* name, const nlohmann::ordered_json& value, const char* unit) {

@@ -39,6 +39,43 @@ TEST(DataFiles, HaveTheTraceAndWhatIsLeftOfIt) {
   EXPECT_EQ(json["trace"]["heights"], "downwards");
 }
 
+// Heights that are counted upwards, a tilt of 0.01, and a bump of 30 nm on one of three rows, of which a third is the
+// mean.
+TEST(DataFiles, HaveWhatIsLeftOfATraceWhoseHeightsGoUpwards) {
+  const ScratchFolder folder;
+  auto input = read_case();
+  Case::AlignedTrace trace{{1e-3, 1e-6, 0.01, 1e-4, 1e-8, true}, {0.5e-3, 0.8e-3, 1.4e-3}, {}, {}, {}, 1e-8};
+  for (const double x : trace.x)
+    trace.z.push_back(5e-6 - (x - 1e-3) * (x - 1e-3) / 0.02 + 0.01 * (x - 1e-3) + (x == 0.8e-3 ? 3e-8 : 0));
+  for (int i = 0; i <= 1000; ++i) {
+    trace.r.push_back(1e-6 * i);
+    trace.f.push_back(1e-12 * i * i / 0.02);
+  }
+  input.indenter.trace = trace;
+  write_data(input, folder.path());
+  const auto residual = read_columns(folder.path() / "trace.csv", "x [m]", "residual [m]").second;
+  ASSERT_EQ(residual.size(), 3U);
+  EXPECT_NEAR(residual[0], 1e-8, 1e-13);
+  EXPECT_NEAR(residual[1], -2e-8, 1e-13);
+  EXPECT_NEAR(residual[2], 1e-8, 1e-13);
+}
+
+// A file of every row would not be seen, and takes long; without loops there is none.
+TEST(DataFiles, HaveSomeOfManyRows) {
+  const ScratchFolder folder;
+  auto input = read_case();
+  input.measured = Case::Measured{};
+  input.measured->tangential_displacement.assign(5000, 1e-6);
+  input.measured->tangential_force.assign(5000, 2);
+  write_data(input, folder.path());
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "measured_loops.csv"));
+  input.measured->loop = "loops.csv";
+  write_data(input, folder.path());
+  const auto force = read_columns(folder.path() / "measured_loops.csv", "u_x [m]", "F_x [N]").second;
+  EXPECT_LE(force.size(), 2000U);
+  EXPECT_GE(force.size(), 1000U);
+}
+
 TEST(DataFiles, HaveTheLoopsThatWereMeasured) {
   const ScratchFolder folder;
   auto input = read_case();
@@ -143,6 +180,17 @@ TEST(ModuliFiles, ReachADecadeBeyondTheFrequencyOfADashpot) {
   EXPECT_NEAR(loss.back() / 1e7, 1, 1e-8) << "a decade beyond, ten times G0";
 }
 
+// The branch of 0.1 s relaxes at 1.59 Hz. A path that takes three hours oscillates at no frequency of its own.
+TEST(ModuliFiles, OfAPathAreThoseAroundItsBranches) {
+  const ScratchFolder folder;
+  auto input = read_case();
+  input.motion.path = Case::Path{{{0, 5e3, 1e4}, {1e-4, 1e-4, 1e-4}, {0, 1e-5, 0}, true}, "rig.csv"};
+  write_moduli(input, mdr::standard_solid(1e6, 1e6, 0.1), folder.path());
+  const auto f = read_columns(folder.path() / "moduli.csv", "f [Hz]", "G' [Pa]").first;
+  EXPECT_NEAR(f.front(), 0.15915494309, 1e-9);
+  EXPECT_NEAR(f.back(), 15.915494309, 1e-7);
+}
+
 TEST(ModuliFiles, OfAnElasticBodyAreNone) {
   const ScratchFolder folder;
   write_moduli(read_case(elastic_case()), mdr::elastic(1e6), folder.path());
@@ -161,6 +209,34 @@ TEST(MeasuredValues, StandBesideBothMethods) {
   EXPECT_NEAR(radius.at("fe_difference").get<double>(), -1e-5, 1e-18);
   EXPECT_TRUE(radius.at("mdr").is_null() && radius.at("mdr_difference").is_null());
   EXPECT_TRUE(measured_json(read_case(), fe, mdr).is_null());
+}
+
+// In a pass it is the zone that never slips which was measured, and no loop is closed. What only pulls presses with
+// nothing.
+TEST(MeasuredValues, OfAPassAreHeldToWhatNeverSlips) {
+  auto input = read_case();
+  input.motion.path = Case::Path{{{0, 1}, {1e-4, 1e-4}, {0, 1e-5}, false}, "rig.csv"};
+  input.measured = Case::Measured{};
+  input.measured->stick_radius = Case::Measured::Value{0.8e-3, 2e-5};
+  input.measured->normal_force = {-3, -2};
+  input.measured->tangential_displacement = {0, 1e-6};
+  input.measured->tangential_force = {2, -3};
+  const auto json = measured_json(input, ordered_json::object(), ordered_json::object());
+  EXPECT_EQ(json.at("stick_radius_first_slip").at("value"), 0.8e-3);
+  EXPECT_FALSE(json.contains("stick_radius_shakedown"));
+  EXPECT_FALSE(json.contains("tangential_work"));
+  EXPECT_EQ(json.at("normal_force_max").at("value"), 0);
+  EXPECT_EQ(json.at("tangential_force_max").at("value"), 3);
+}
+
+// A triangle whose last side goes from the last row back to the first.
+TEST(MeasuredValues, CloseTheirLoops) {
+  auto input = read_case();
+  input.measured = Case::Measured{};
+  input.measured->tangential_displacement = {0, 2e-6, 2e-6};
+  input.measured->tangential_force = {0, 0, 2};
+  const auto json = measured_json(input, ordered_json::object(), ordered_json::object());
+  EXPECT_NEAR(json.at("tangential_work").at("value").get<double>(), 2e-6, 1e-18);
 }
 
 // The area of an ellipse of half axes 2e-6 m and 3 N.

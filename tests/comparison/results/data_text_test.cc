@@ -41,6 +41,25 @@ TEST(DataText, TellsALongerTestFromAShorterOne) {
     EXPECT_EQ(shorter.find_first_of("123456789"), std::string::npos) << shorter;
 }
 
+// A fifth of the modulus is a fifth of the force, and of no radius under prescribed displacements.
+TEST(DataText, SaysWhatTheyLeaveOpenOfWhatIsAskedForAlone) {
+  auto input = read_case(elastic_case());
+  input.elastomer.modulus_scatter = 0.2;
+  EXPECT_EQ(data_text(input), "  they leave   open largest normal force by 2.0e-01, over the scale of each\n");
+}
+
+TEST(DataText, SaysHowManyBranchesAreMerged) {
+  auto input = read_case();
+  input.elastomer.test_duration = Case::TestDuration{90, 2e5, {1e6, 1e6, 1e6, 1e6}, {1, 2, 3, 4}, 0, 1, 3, {}, 4e-5};
+  expect_parts(data_text(input),
+               {"test         90 s: 1 of 4 branches are slower and count as springs, G = 1 MPa instead "
+                "of G'(0) = 200 kPa; 3 others are merged, which changes the complex modulus by 4.0e-05 "
+                "at most\n",
+                "no branch relaxes in a third to three times of it"});
+  input.elastomer.test_duration->n_fast = 0;
+  EXPECT_EQ(data_text(input).find("merged"), std::string::npos);
+}
+
 TEST(DataText, SaysWhatTheyLeaveOpen) {
   auto input = read_case(elastic_case());
   input.elastomer.modulus_scatter = 0.2;

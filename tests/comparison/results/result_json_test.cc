@@ -155,6 +155,66 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
         "bodies_from_store": 2}}})"));
 }
 
+// Computations of the wear are a part of all that was computed; what MDR alone says of the end stands beside what
+// finite elements found, 0.65 of 2 m.
+TEST(ResultJson, AddsUpTheWearAndHasItsEnd) {
+  auto result = made_up_result();
+  ProvedWear wear{};
+  wear.fe.course.curve = {{0, 0, 2, 3, 0, 1, 0.5}};
+  wear.fe.course.worn = {Eigen::Vector2d::Zero()};
+  wear.distance_shakedown = wear.distance_first_slip = {0.1};
+  wear.fe.worn_radius = 0.65;
+  wear.cost = {5, 100, 10, 2.5, {1, 1}};
+  result.wear = wear;
+  auto json = written(result);
+  EXPECT_EQ(json["fe"]["worn_radius"], 1.3);
+  EXPECT_EQ(json["cost"]["all"]["seconds"], 7.5 + 2.5);
+  EXPECT_EQ(json["cost"]["all"]["computations"], 6 + 5);
+  EXPECT_EQ(json["cost"]["all"]["time_steps"], 720 + 100);
+  EXPECT_EQ(json["cost"]["all"]["cycles"], 60 + 10);
+  EXPECT_EQ(json["cost"]["all"]["bodies"], 4 + 1);
+  EXPECT_EQ(json["cost"]["all"]["bodies_from_store"], 2 + 1);
+  EXPECT_EQ(json["cost"]["computations"], 6) << "of the unworn contact alone";
+  result.wear.reset();
+  ProvedSurfaceWear across{};
+  across.fe.course.curve = wear.fe.course.curve;
+  across.cost = {5, 100, 10, 2.5, {1, 1}};
+  result.surface_wear = across;
+  EXPECT_EQ(written(result)["cost"]["all"]["seconds"], 7.5 + 2.5);
+}
+
+// Each number of the scene that only some cases have.
+TEST(ResultJson, HasWhatASweepAHarmonicAndWearAddToTheScene) {
+  auto result = made_up_result();
+  result.input.sweep = Case::Sweep{"family", "Motion / Phase", 60, "Friction / Coefficient", 0.25};
+  result.input.motion.tangential_harmonics = {{3e-6, 2, 90}};
+  result.input.wear_kinetics = Case::WearKinetics{Case::WearLaw::archard, 1e-13, 1, 50, 0, "", "worn_rings.csv"};
+  result.model.off_by[Quantity::stick_radius_shakedown] = {0.02, 0.004};
+  result.comparison[Quantity::normal_force_max].mdr_error = 0.007;
+  auto json = written(result);
+  EXPECT_EQ(json["scene"]["sweep"]["second_entry"], "Friction / Coefficient");
+  EXPECT_EQ(json["scene"]["sweep"]["second_value"], 0.25);
+  EXPECT_EQ(json["scene"]["tangential_harmonics"][1]["frequency"], 2);
+  EXPECT_NEAR(json["scene"]["tangential_harmonics"][1]["phase"].get<double>(), 90, 1e-12);
+  EXPECT_EQ(json["scene"]["wear_law"]["profile"], "worn_rings.csv");
+  EXPECT_EQ(json["scene"]["wear_law"]["cycles"], 50);
+  EXPECT_EQ(json["model"]["good_to"], 0.024);
+  EXPECT_EQ(json["model"]["mdr_off_by"]["stick_radius_shakedown"]["uncertainty"], 0.004);
+  EXPECT_EQ(json["comparison"]["normal_force_max"]["mdr_error"], 0.007);
+  result.input.wear_kinetics->rings = "";
+  result.input.wear_kinetics->profile = "heights.csv";
+  EXPECT_EQ(written(result)["scene"]["wear_law"]["profile"], "heights.csv");
+}
+
+// A contact whose force only just comes to nothing is lost as well; along a path it is not asked.
+TEST(ResultJson, SaysWhereTheContactIsLost) {
+  auto result = made_up_result();
+  result.fe.fe.normal.force = Eigen::Vector4d(1, 0, 3, 4);
+  EXPECT_EQ(written(result)["fe"]["lifts_off"], true);
+  result.fe.fe.normal.pieces.resize(4);
+  EXPECT_EQ(written(result)["fe"]["lifts_off"], false);
+}
+
 // Of eight rings in mm, 1.5 mm in all, on a pad of 3 mm.
 TEST(ResultJson, HasTheMeshInMetres) {
   const ScratchFolder folder;

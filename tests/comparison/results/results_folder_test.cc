@@ -49,6 +49,14 @@ TEST(ResultsFolder, RefusesAResultOfAnotherKindByKey) {
     expect_parts(with(wear, {{"cycles", {10}}, {"volume", 1e-15}}), {"/volume\" is 1e-15, must be a list"});
     EXPECT_EQ(with(wear, {{"cycles", {10}}, {"volume", {1e-15}}}), "no error");
   }
+  expect_parts(with("/pass", std::string(61, 'x')), {"\"pass\" is string, must be"});
+  expect_parts(with("/pass", std::string(60, 'x')), {"\"pass\" is \"xxx"});
+  for (const char* key : {"name", "comparison"}) {
+    auto without = good;
+    without.erase(key);
+    folder.write("result.json", without.dump());
+    expect_parts(refusal([&] { read_results(folder.path()); }), {key, "\" is missing; is this a result of fretval?"});
+  }
   folder.write("result.json", good.dump().substr(0, 300));
   expect_parts(refusal([&] { read_results(folder.path()); }), {"result.json", "parse error"});
   folder.write("result.json", "[]");

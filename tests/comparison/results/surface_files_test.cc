@@ -123,6 +123,20 @@ TEST(SurfaceFiles, HaveEveryNumberInItsUnit) {
                                                {"sticks in a cycle [m]", {0.8, 0.7, 0.7, 0.8}}});
 }
 
+// Under a normal force the depth is the one that balances it, which a contact of given pressures does not have.
+TEST(SurfaceFiles, HaveTheDepthThatBalancesAForce) {
+  auto result = made_up_surface();
+  result.fem_case.motion.normal_force = true;
+  const ScratchFolder folder;
+  write_surface_files(result.fe.fe, result.fem_case, folder.path());
+  EXPECT_EQ(column_names(folder.path() / "history.csv"),
+            (std::vector<std::string>{"t [s]", "u_x [m]", "u_y [m]", "F_N [N]", "F_x [N]", "F_y [N]", "M_z [N m]"}));
+  std::get<SurfaceAnswer>(result.fe.fe.of_kind).history.depth = Eigen::Vector4d(0.1, 0.2, 0.3, 0.4);
+  write_surface_files(result.fe.fe, result.fem_case, folder.path());
+  EXPECT_EQ(read_columns(folder.path() / "history.csv", "t [s]", "d [m]").second,
+            (std::vector<double>{0.05, 0.1, 0.15, 0.2}));
+}
+
 // Six pieces around each point, whose corners go from the inner to the outer edge and then around the axis.
 TEST(SurfaceFiles, ShowEachPointOnItsPieceOfARing) {
   const auto result = made_up_surface();

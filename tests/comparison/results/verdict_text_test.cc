@@ -46,6 +46,21 @@ TEST(PlainAnswer, SaysWhatSticksAndHowFarTheRestWears) {
   EXPECT_EQ(plain_answer(all), "all of the contact of 1.10 mm sticks for good: nothing wears");
 }
 
+// MDR's end of the wear is not that of another model; the end that finite elements have found is.
+TEST(PlainAnswer, OfAnotherModelHasNoEndOfTheWearByMdr) {
+  auto other = result(name_of(Outcome::other_model));
+  other["other_model"] = {"friction is a vector"};
+  EXPECT_EQ(plain_answer(other), "the inner 0.790 mm of a contact of 1.10 mm sticks for good; the ring outside wears");
+  auto worn = result("agree");
+  worn["fe"]["worn_radius"] = 1.3e-3;
+  worn["fe"]["wear"] = {{"ends_in_limit", true}};
+  EXPECT_EQ(
+      plain_answer(worn),
+      "the inner 0.790 mm of a contact of 1.10 mm sticks for good; the ring outside has worn off, out to 1.30 mm");
+  worn["scene"]["wear"] = "limiting";
+  EXPECT_EQ(plain_answer(worn), "this worn indenter is pressed, and sticks, within 0.790 mm: nothing wears any more");
+}
+
 TEST(PlainAnswer, SaysWhatWearOffTheCircleLeaves) {
   auto worn = result("other model");
   worn["fe"]["surface_wear"] = {{"sticks", {{"radius", 6.6e-4}}}};
@@ -98,6 +113,39 @@ TEST(VerdictSentence, OfADisagreementNamesItAndCountsTheRest) {
       "asked for agree");
 }
 
+// The largest use of a tolerance comes first, which is not the largest difference; a fourth one is counted.
+TEST(VerdictSentence, OfManyDisagreementsBeginsWithTheWorst) {
+  auto bad = result("disagree");
+  bad["comparison"]["stick_radius_first_slip"] = compared(5e-3, 1e-3, 1e-4, "disagree");
+  bad["comparison"]["stick_radius_shakedown"] = compared(4e-3, 1e-3, 1e-4, "disagree");
+  bad["comparison"]["contact_radius_max"] = compared(3e-3, 1e-4, 1e-5, "disagree");
+  bad["comparison"]["normal_force_max"] = compared(2e-4, 1e-4, 1e-5, "disagree");
+  expect_parts(
+      verdict_sentence(bad),
+      {"they differ in the largest contact radius by 3.0e-03, where 1e-04 was asked for and the error bar is "
+       "1.0e-05; the stick radius (first slip) by 5.0e-03",
+       "; the stick radius (shakedown) by 4.0e-03", "; and 1 more. 0 of 4 quantities that were asked for agree"});
+  EXPECT_EQ(verdict_sentence(bad).find("largest normal force"), std::string::npos);
+}
+
+// Both bars count, and so does a radius that one method alone has: 0.79 mm of 1.1 mm.
+TEST(VerdictSentence, OfARadiusThatOneMethodAloneHasSaysSo) {
+  auto bad = result("disagree");
+  bad["comparison"]["stick_radius_shakedown"] = compared(5e-3, 1e-3, 1e-4, "disagree");
+  bad["comparison"]["stick_radius_shakedown"]["difference"] = nullptr;
+  expect_parts(verdict_sentence(bad),
+               {"they differ in the stick radius (shakedown), which only one of both finds. 2 of 3"});
+  for (const auto& one : stored_differences(bad))
+    if (one.quantity == Quantity::stick_radius_shakedown) {
+      EXPECT_NEAR(one.size, 7.9 / 11, 1e-12);
+    }
+  bad["comparison"]["contact_radius_max"]["mdr_error"] = 3e-5;
+  for (const auto& one : stored_differences(bad))
+    if (one.quantity == Quantity::contact_radius_max) {
+      EXPECT_NEAR(one.bar, 4e-5, 1e-15);
+    }
+}
+
 TEST(VerdictSentence, OfWideBarsNeitherConfirmsNorRefutes) {
   auto open = result("not resolved");
   open["comparison"]["contact_radius_max"] = compared(1e-6, 1e-4, 2e-4, "not resolved");
@@ -124,6 +172,36 @@ TEST(VerdictSentence, OfGrossSlipHoldsBothToTheBalanceOfForces) {
   expect_parts(verdict_sentence(sliding),
                {"finite elements find it after 12.0000 s, at 93.3 % of the amplitudes", "finds it at 85.9 % of them",
                 "the steady motion slides from 81.1 % of the amplitudes on: this one is 23.3 % beyond"});
+}
+
+// A pass slides from an instant on, not from an amplitude; each method has its own.
+TEST(VerdictSentence, OfAPassThatSlidesHasTheInstants) {
+  auto sliding = result("agree");
+  sliding["fe"]["gross_slip"] = {{"time", 0.5}, {"amplitude", 0.933}};
+  sliding["mdr"]["gross_slip"] = 0.7;
+  sliding["mdr"]["gross_slip_time"] = 0.25;
+  EXPECT_EQ(
+      verdict_sentence(sliding),
+      "finite elements find it from t = 500.000 ms on, the method of dimensionality reduction (MDR) finds it from "
+      "t = 250.000 ms on");
+}
+
+// Only MDR has a first-slip radius, and only the case one of shakedown.
+TEST(VerdictSentence, OfAnotherModelSaysWhichZoneOneAloneHas) {
+  auto other = result(name_of(Outcome::other_model));
+  other["other_model"] = {"friction is a vector"};
+  other["mdr"]["stick_radius_first_slip"] = 3e-4;
+  other["mdr"]["contact_radius_max"] = 1.1e-3;
+  expect_parts(verdict_sentence(other),
+               {"the stick radius (first slip) only MDR has, ", "the stick radius (shakedown) only the case has"});
+}
+
+TEST(VerdictSentence, WhereNothingIsComparedSaysSo) {
+  auto none = result("not compared");
+  none["not_compared"] = nlohmann::ordered_json::object();
+  EXPECT_EQ(verdict_sentence(none), "");
+  none["comparison"] = nlohmann::ordered_json::object();
+  EXPECT_EQ(verdict_sentence(none), "nothing is compared with the method of dimensionality reduction (MDR)");
 }
 
 // 7.9e-4 m over 6.32e-4 m and 1.1 mm over 1.375 mm of MDR; bars of 1 % of 1.1 mm are of these as much.

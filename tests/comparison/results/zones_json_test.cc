@@ -76,6 +76,55 @@ TEST(ZonesJson, OfAZoneOnRingsAndAnglesHasTheBarOfEachExtent) {
   EXPECT_EQ(json.at("second_algorithm"), 1e-7);
 }
 
+// What sticks at the end of a pass stands in the place of what sticks in a cycle; its bars are those of its own edge.
+TEST(ZonesJson, OfAPassHasWhatSticksAtItsEnd) {
+  auto result = made_up_result();
+  SurfaceAnswer surface{};
+  surface.sticks_at_the_end = {2, 0.8, 0.85, 0.75, 0.03, 0.07};
+  result.fe.fe.of_kind = surface;
+  result.fe.fe.motion_kind = MotionKind::pass;
+  const auto json = zones_json(result);
+  EXPECT_FALSE(json.contains("sticks_in_a_cycle"));
+  const auto& end = json.at("sticks_at_the_end");
+  EXPECT_EQ(end.at("radius_bar"), 0.03);
+  EXPECT_EQ(end.at("along_bar"), 0.07);
+  EXPECT_EQ(end.at("across_bar"), 0.07);
+  EXPECT_NEAR(end.at("area_bar").get<double>(), 2 * std::acos(-1.0) * 0.8 * 0.03, 1e-15);
+  EXPECT_TRUE(json.at("contact").at("radius_bar").is_null());
+}
+
+// A bar that is infinite says nothing, and is none.
+TEST(ZonesJson, HasNoInfiniteBar) {
+  ZoneAnswer zones;
+  zones.contact = {{0, 1e-3}};
+  zones.contact_uncertainty = 3e-6;
+  zones.pressure_max = 2e5;
+  const ZoneBudget bars{{{std::nullopt, bar(HUGE_VAL)}}, {}, {}, bar(HUGE_VAL)};
+  const auto json = zones_json(zones, bars, 1e-3);
+  EXPECT_TRUE(json.at("contact")[0].at("outer_bar").is_null());
+  EXPECT_TRUE(json.at("pressure_max_bar").is_null());
+  EXPECT_EQ(json.at("contact_uncertainty"), 3e-6);
+}
+
+// Springs under a parabola of R = 1e-2 m, 0.5 m deep: a = sqrt(R d) and 16/3 G0 sqrt(R) d^(3/2). Finite elements are
+// said to bear four fifths of that, on twice the radius.
+TEST(ZonesJson, OfWhatIsNotComparedHasBothAtRest) {
+  auto result = made_up_result();
+  ZoneAnswer zones;
+  const double radius = std::sqrt(1e-2 * 0.5), force = 16.0 / 3 * 1e6 * 0.1 * std::pow(0.5, 1.5);
+  zones.force_at_rest = force / 1.25;
+  zones.radius_at_rest = radius * 2;
+  result.fe.fe.of_kind = zones;
+  const auto json = not_compared_json(result).at("at_rest");
+  EXPECT_EQ(json.at("indentation"), 0.5);
+  EXPECT_EQ(json.at("normal_force"), zones.force_at_rest);
+  EXPECT_EQ(json.at("contact_radius"), zones.radius_at_rest);
+  EXPECT_NEAR(json.at("normal_force_of_springs").get<double>() / force, 1, 1e-6);
+  EXPECT_NEAR(json.at("contact_radius_of_springs").get<double>() / radius, 1, 1e-6);
+  EXPECT_NEAR(json.at("normal_force_difference").get<double>(), 0.25, 1e-5);
+  EXPECT_NEAR(json.at("contact_radius_difference").get<double>(), -0.5, 1e-6);
+}
+
 // Exit code 0: nothing disagrees. The verdict has a name in everything that somebody may read.
 TEST(ZonesJson, ARunBeyondMdrSaysSo) {
   const ScratchFolder folder;

@@ -93,6 +93,45 @@ double seconds_after(const std::string& text, const std::string& words) {
   return value * std::map<std::string, double>{{"s", 1}, {"min", 60}, {"h", 3600}}.at(unit);
 }
 
+// a is that of a half-space, 1.09545 mm: over 4 mm and 8 mm. At nu = 0.3 springs along the surface are 1.7/1.4 times
+// softer than those across it, and k = 1.214 mu 20/15.
+TEST(Explanation, OfACylinderSaysHowThickItIsForItsContact) {
+  auto input = read_case();
+  input.tolerance = 0;
+  input.body = {Case::Body::Shape::cylinder, 4e-3, 8e-3, true};
+  input.elastomer.poisson_ratio = 0.3;
+  expect_parts(explanation(input), {"a cylinder 4 mm thick of radius 8 mm, bonded to its base\n", "; nu = 0.3\n",
+                                    "a/H          0.274; a half-space would do within 1 % of a from ",
+                                    "a/B          0.137, over the radius\n", "k            0.8095 (1.214 mu times"});
+  input.body.is_bonded = false;
+  expect_parts(explanation(input), {"of radius 8 mm, on a frictionless base\n"});
+}
+
+TEST(Explanation, OfManyBranchesNamesFour) {
+  auto input = read_case();
+  input.tolerance = 0;
+  input.elastomer.rheology = Case::Rheology::prony;
+  input.elastomer.branch_moduli.assign(5, 1e5);
+  input.elastomer.branch_times = {0.1, 0.2, 0.5, 1, 2};
+  expect_parts(explanation(input),
+               {"100 kPa with 1 s and 1 more branch; incompressible\n", "omega tau    0.628 to 12.6\n"});
+  input.elastomer.branch_moduli.push_back(1e5);
+  input.elastomer.branch_times.push_back(5);
+  expect_parts(explanation(input), {"100 kPa with 1 s and 2 more branches; incompressible\n", "0.628 to 31.4\n"});
+}
+
+// At a constant depth all within sqrt(R (d - 2 u/(3 mu))) never slips: there is such a zone up to 3/2 mu d = 75 um.
+TEST(Explanation, OfAPassSaysWhetherAZoneNeverSlips) {
+  auto input = read_case(elastic_case());
+  input.tolerance = 0;
+  input.motion = motion_along({{{0, 1}, {1e-4, 1e-4}, {0, 2.7e-5}, false}, "rows.csv"});
+  expect_parts(explanation(input), {"normal       100 µm to 100 µm\n", "tangential   0 m to 27 µm\n",
+                                    "regime       partial slip: a zone never slips\n",
+                                    "first slip   c = 800 µm, never slips since rest\n", "shakedown    none: "});
+  input.motion = motion_along({{{0, 1}, {1e-4, 1e-4}, {0, 8e-5}, false}, "rows.csv"});
+  expect_parts(explanation(input), {"regime       all of the contact slips in the pass\n", "first slip   none\n"});
+}
+
 // All cases, not those that are looked at: a hundred times as many take some hundred times as long.
 TEST(Explanation, TimeOfASweepGrowsWithItsCases) {
   const auto seconds = [](std::size_t n) {
