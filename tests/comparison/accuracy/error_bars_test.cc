@@ -210,6 +210,44 @@ TEST(ErrorBars, OfAPassAreThoseOfTheStickRadiiThatItHas) {
   }
 }
 
+// Depths fall by 2 over the contact radius, so that 0.04 of depth are 0.02 of radius to either side.
+TEST(ErrorBars, HaveWhatACycleThatStandsForAMotionLeavesOpen) {
+  auto prepared = prepared_of("parabola-elastic-90");
+  const auto total = [&](Quantity quantity) { return bars_of(prepared, {0, 0}).at(quantity).total(); };
+  prepared.fem.error_of_normal = 0.01;
+  EXPECT_EQ(total(Quantity::normal_force_max), 0) << "a cycle of its own";
+  prepared.fem.error_of_demand = 0.04;
+  EXPECT_NEAR(total(Quantity::normal_force_max), 0.02, 1e-12);
+  EXPECT_EQ(total(Quantity::contact_radius_max), 0) << "prescribed with the indentation";
+  for (const auto quantity : {first_slip_radius, shakedown_radius}) EXPECT_NEAR(total(quantity), 0.04, 1e-12);
+  EXPECT_EQ(bars_of(prepared, {0, 0}).at(shakedown_radius).largest()->source, ErrorSource::creep);
+  prepared.fem.motion.normal_force = true;
+  EXPECT_NEAR(total(Quantity::contact_radius_max), 0.02, 1e-12);
+  EXPECT_EQ(total(Quantity::normal_force_max), 0) << "prescribed";
+}
+
+// Rings stick up to 0.5 a, the worn edge is at 0.6 a, and slip in between is within or beyond its bar.
+TEST(ErrorBars, OfAWornProfileReachToItsEdgeWhereItsSlipMayBeNone) {
+  auto prepared = prepared_of("parabola-elastic-90");
+  prepared.fem.kind = ContactKind::worn;
+  prepared.fem.worn_edge = {0.6, 0.7};
+  const auto total = [&](double slip) {
+    Computations computed(
+        prepared.fem.units,
+        [&](const Resolution& r) {
+          auto answer = FakeNumerics{0, 0}(prepared.fem, r);
+          answer.of_kind = NoWearEvidence{slip + 1e-2 * r.elements_per_radius, 0, 1, 1};
+          return answer;
+        },
+        1);
+    const Tracks tracks{prepared.fem.resolution, {}};
+    computed.compute(needed_for_bars(tracks, needs_of(prepared.fem)));
+    return error_bars(prepared, tracks, computed, Borders::left_out).at(shakedown_radius).total();
+  };
+  EXPECT_NEAR(total(0), 0.1, 1e-12);
+  EXPECT_EQ(total(1e3), 0);
+}
+
 // They are the same number, whose error either may hide.
 TEST(ErrorBars, OfAnUnlockedPhaseTakeTheCreepOfEitherRadiusForBoth) {
   FakeNumerics creeping{0, 0};
