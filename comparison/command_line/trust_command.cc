@@ -16,20 +16,6 @@
 #include "fem/condensation/petsc_session.h"
 
 namespace fretval {
-namespace {
-
-/// The radii that are off by more than a share, whatever the bars leave open.
-std::string radii_beyond(const Ladder& ladder, double at_most) {
-  std::string titles;
-  for (const auto quantity :
-       {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::contact_radius_max})
-    if (const auto found = ladder.whole.off_by.find(quantity);
-        found != ladder.whole.off_by.end() && std::abs(found->second.value) - found->second.uncertainty > at_most)
-      titles += (titles.empty() ? "" : ", ") + std::string(traits_of(quantity).title);
-  return titles;
-}
-
-}  // namespace
 
 double share_of(const std::string& text, const char* option) {
   std::size_t end = 0;
@@ -66,7 +52,7 @@ int run_trust(const std::string& file, const TrustOptions& options) {
     log::info(fmt::format("report: {}", write_report(folder).string()));
   }
   if (!options.at_most) return exit_agree;
-  const auto beyond = radii_beyond(ladder, *options.at_most);
+  const auto beyond = radii_beyond(*options.at_most, ladder);
   if (beyond.empty()) return exit_agree;
   log::warn(fmt::format("{}: MDR is off by more than {:g} %: {}", input.name, 100 * *options.at_most, beyond));
   return exit_disagree;

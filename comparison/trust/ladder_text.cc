@@ -183,6 +183,16 @@ std::string ladder_text(const std::string& name, const Ladder& ladder) {
   return text;
 }
 
+std::string radii_beyond(double share, const Ladder& ladder) {
+  std::string titles;
+  for (const auto quantity :
+       {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown, Quantity::contact_radius_max})
+    if (const auto found = ladder.whole.off_by.find(quantity);
+        found != ladder.whole.off_by.end() && std::abs(found->second.value) - found->second.uncertainty > share)
+      titles += (titles.empty() ? "" : ", ") + std::string(traits_of(quantity).title);
+  return titles;
+}
+
 ordered_json ladder_json(const Case& input, const Ladder& ladder) {
   ordered_json json{{"name", input.name}, {"headline", headline_of(ladder)}};
   if (const auto radius = radius_of_headline(ladder)) json["headline_quantity"] = name_of(radius->quantity);

@@ -15,6 +15,9 @@ std::string headline_of(const Ladder& ladder);
 /// Headline, a table of quantities by rungs, and what is not computed, for the terminal.
 std::string ladder_text(const std::string& name, const Ladder& ladder);
 
+/// Titles of the radii in which MDR's own model is off by more than a share, whatever the bars leave open; empty: none.
+std::string radii_beyond(double share, const Ladder& ladder);
+
 /// trust.json, see docs/results.md; SI units.
 nlohmann::ordered_json ladder_json(const Case& input, const Ladder& ladder);
 

@@ -35,6 +35,18 @@ TEST(LadderText, BeginsWithWhatADesignerAsks) {
                {"11.1 % ± 0.1 % too small", "a layer 2 mm thick, a/H = 0.6 (-20 %); nu = 0.4 (+5.26 %)"});
 }
 
+// The shakedown radius is off by -11.1 % with a bar of 0.1 %; the contact radius, which is too large, by +6 +- 1 %; a
+// force is no radius.
+TEST(LadderText, NamesTheRadiiThatAreOffByMoreThanTheirBarsLeaveOpen) {
+  auto ladder = made_up(2);
+  ladder.whole.off_by[Quantity::contact_radius_max] = {{1e-3}, 0.06, 0.01};
+  ladder.whole.off_by[Quantity::normal_force_max] = {{1}, 0.5, 0};
+  EXPECT_EQ(radii_beyond(0.049, ladder), "stick radius, shakedown, largest contact radius");
+  EXPECT_EQ(radii_beyond(0.051, ladder), "stick radius, shakedown");
+  EXPECT_EQ(radii_beyond(0.1105, ladder), "");
+  EXPECT_EQ(radii_beyond(0.1095, ladder), "stick radius, shakedown");
+}
+
 TEST(LadderText, SaysSoWhereNothingIsResolved) {
   auto ladder = made_up(1);
   ladder.whole.off_by.begin()->second = {{8e-4, 1e-6}, 1e-4, 1e-3};
