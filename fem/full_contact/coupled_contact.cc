@@ -107,22 +107,9 @@ void CoupledContact::press_without_friction() {
   pressure *= relaxation_.relaxed;
   gap = areas.cwiseInverse().asDiagonal() * residual;
   state_.displacement = as_vector(((depth - profile.array()) + gap.array()).matrix());
-  friction.start_from(areas.cwiseInverse().asDiagonal() * moved_by_pressure() / relaxation_.relaxed);
+  friction.start_from(areas.cwiseInverse().asDiagonal() * operators_.coupling.along_surface(pressure) /
+                      relaxation_.relaxed);
   require_room(pressure.rowwise().maxCoeff());
-}
-
-/// Displacements along the surface by the pressures, times the areas (n_rings x 2 n_angles).
-MatrixXd CoupledContact::moved_by_pressure() const {
-  MatrixXd moved;
-  operators_.coupling.along_surface(pressure, moved);
-  return moved;
-}
-
-/// Displacements into the body by tractions, times the areas (n_rings x n_angles).
-MatrixXd CoupledContact::moved_by_traction(const MatrixXd& traction) const {
-  MatrixXd moved;
-  operators_.coupling.into_body(traction, moved);
-  return moved;
 }
 
 /// The numbers of a field and of displacements of the indenter behind each other, the latter as heavy as those of all
@@ -188,8 +175,9 @@ void CoupledContact::press(const MatrixXd& pull, const PressureWear& wear, doubl
 /// Finds the tractions under the last pressures. Returns the larger natural residual of the two.
 double CoupledContact::rub(const Attempt& made, const PressureWear& wear, const VectorXd& way, double enough) {
   ++n_alternations;
-  const auto& rubbed = friction.attempt(pressure, moved_by_pressure(), enough, way.tail(friction.n_forces()));
-  moved_ = moved_by_traction(rubbed.traction);
+  const auto& rubbed =
+      friction.attempt(pressure, operators_.coupling.along_surface(pressure), enough, way.tail(friction.n_forces()));
+  moved_ = operators_.coupling.into_body(rubbed.traction);
   MatrixXd image;
   operators_.normal.apply(pressure, image);
   opened_ = image - made.target + moved_;
@@ -202,7 +190,7 @@ CoupledContact::Attempt CoupledContact::alternate(const Start& start, const Vect
   double enough = share_of(1);
   AndersonMixing mixing(depth_of_mixing);
   auto made = attempt(start, way);
-  MatrixXd moved = moved_by_traction(friction.expected_traction());
+  MatrixXd moved = operators_.coupling.into_body(friction.expected_traction());
   for (int n = 0; n < most_alternations; ++n) {
     press(made.target - moved, start.wear, enough);
     const double left = rub(made, start.wear, way, enough);
@@ -223,7 +211,7 @@ std::optional<CoupledContact::Attempt> CoupledContact::alternate_to_balance(cons
   const VectorXd values = prescribed_forces();
   const auto stiffness = balance_.stiffness.partialPivLu();
   VectorXd way = balance_.displacements;
-  MatrixXd moved = moved_by_traction(friction.expected_traction());
+  MatrixXd moved = operators_.coupling.into_body(friction.expected_traction());
   const Together together(moved, way.size(), operators_.normal.areas());
   double enough = share_of(1);
   AndersonMixing mixing(depth_to_balance);

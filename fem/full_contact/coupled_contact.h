@@ -83,8 +83,6 @@ class CoupledContact {
 
  private:
   void press_without_friction();
-  [[nodiscard]] Eigen::MatrixXd moved_by_pressure() const;
-  [[nodiscard]] Eigen::MatrixXd moved_by_traction(const Eigen::MatrixXd& traction) const;
   class Together;
   /// A step that is tried: the move of the indenter, of the points how far they are driven, left behind and displaced
   /// before they are held, and areas times the displacements that would leave no gap.

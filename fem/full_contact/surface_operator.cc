@@ -85,6 +85,16 @@ Eigen::Map<Matrix> columns_of(Matrix& amplitudes, Index first, Index rows, Index
   return {amplitudes.col(first).data(), rows, n_copies};
 }
 
+/// displaced <- the symmetric blocks times their amplitudes.
+template <class Block, class Matrix>
+void multiply_blocks(const std::vector<Block>& blocks, Matrix& amplitudes, Matrix& displaced) {
+  for (const auto& block : blocks) {
+    const Index rows = amplitudes.rows() * block.n_components;
+    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
+                       columns_of(displaced, block.first, rows, block.n_copies));
+  }
+}
+
 Eigen::MatrixXd transform_of(const std::vector<Amplitude>& amplitudes) {
   Eigen::MatrixXd transform(amplitudes.front().weights.size(), static_cast<Index>(amplitudes.size()));
   for (Index i = 0; i < transform.cols(); ++i) transform.col(i) = amplitudes[static_cast<std::size_t>(i)].weights;
@@ -130,11 +140,7 @@ void SurfaceOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& resul
   const Index n = n_rings();
   Eigen::MatrixXd amplitudes(n, transform_.cols()), displaced(n, transform_.cols());
   multiply(field, transform_, amplitudes);
-  for (const auto& block : blocks_) {
-    const Index rows = n * block.n_components;
-    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
-                       columns_of(displaced, block.first, rows, block.n_copies));
-  }
+  multiply_blocks(blocks_, amplitudes, displaced);
   result.resize(n, transform_.rows());
   multiply(displaced, transposed_, result);
 }
@@ -154,50 +160,47 @@ CouplingOperator::CouplingOperator(const SurfaceCompliance& surface, const Angul
                            block_between(surface, tangential, along, normal, into)});
 }
 
-void CouplingOperator::along_surface(const Eigen::MatrixXd& pressure, Eigen::MatrixXd& moved) const {
+Eigen::MatrixXd CouplingOperator::along_surface(const Eigen::MatrixXd& pressure) const {
   const Index n = pressure.rows();
-  if (blocks_.empty()) return void(moved.setZero(n, 2 * pressure.cols()));
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, 2 * pressure.cols());
+  if (blocks_.empty()) return moved;
   Eigen::MatrixXd amplitudes(n, normal_.cols()), displaced = Eigen::MatrixXd::Zero(n, tangential_.cols());
   multiply(pressure, normal_, amplitudes);
   for (const auto& block : blocks_)
     multiply(block.matrix, amplitudes.col(block.normal),
              columns_of(displaced, block.tangential, n * block.n_components));
-  moved.resize(n, tangential_.rows());
   multiply(displaced, tangential_transposed_, moved);
+  return moved;
 }
 
-void CouplingOperator::into_body(const Eigen::MatrixXd& traction, Eigen::MatrixXd& moved) const {
+Eigen::MatrixXd CouplingOperator::into_body(const Eigen::MatrixXd& traction) const {
   const Index n = traction.rows();
-  if (blocks_.empty()) return void(moved.setZero(n, traction.cols() / 2));
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, traction.cols() / 2);
+  if (blocks_.empty()) return moved;
   Eigen::MatrixXd amplitudes(n, tangential_.cols()), displaced = Eigen::MatrixXd::Zero(n, normal_.cols());
   multiply(traction, tangential_, amplitudes);
   for (const auto& block : blocks_)
     multiply_by_transpose(block.matrix, columns_of(amplitudes, block.tangential, n * block.n_components),
                           displaced.col(block.normal));
-  moved.resize(n, normal_.rows());
   multiply(displaced, normal_transposed_, moved);
+  return moved;
 }
 
 // Harmonics are orthogonal on the angles, so the field of an amplitude is its row of T over the square of that. The
 // highest harmonic of a traction is two amplitudes of which the angles only see the sum: half of it goes to each.
-InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground) : n_rings_(op.n_rings()) {
+InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground)
+    : n_rings_(op.n_rings()), scale_(1 / op.diagonal().minCoeff()) {
   Eigen::MatrixXd fields = op.transform();
   const double n_points = op.grid().n_around / op.grid().multiplicity();
   for (Index i = 0; i < fields.cols(); ++i) fields.col(i) *= std::min(1 / fields.col(i).squaredNorm(), 2 * n_points);
   const Eigen::VectorXd tied = op.areas().cwiseProduct(ground);
-  std::vector<Eigen::MatrixXd> inverses;
   for (const auto& block : op.blocks()) {
     Eigen::MatrixXd matrix = block.matrix;
     for (Index i = 0; i < block.n_components; ++i)
       matrix.diagonal().segment(i * tied.size(), tied.size()) += fields.col(block.first + i).squaredNorm() * tied;
     auto inverted = inverse(std::move(matrix));
     if (!inverted) throw SolverError("a Fourier order of the contact compliance is not positive definite");
-    scale_ = std::max(scale_, inverted->diagonal().maxCoeff());
-    inverses.push_back(std::move(*inverted));
-  }
-  for (std::size_t i = 0; i < inverses.size(); ++i) {
-    const auto& block = op.blocks()[i];
-    blocks_.push_back({block.first, block.n_components, block.n_copies, (inverses[i] / scale_).template cast<float>()});
+    blocks_.push_back({block.first, block.n_components, block.n_copies, (*inverted / scale_).cast<float>()});
   }
   fields_ = fields.cast<float>();
   transposed_ = fields_.transpose();
@@ -211,11 +214,7 @@ void InverseOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& resul
                   solved(n_rings_, fields_.cols());
   multiply(single, fields_, amplitudes.topRows(n));
   amplitudes.bottomRows(n_rings_ - n).setZero();
-  for (const auto& block : blocks_) {
-    const Index rows = n_rings_ * block.n_components;
-    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
-                       columns_of(solved, block.first, rows, block.n_copies));
-  }
+  multiply_blocks(blocks_, amplitudes, solved);
   multiply(solved.topRows(n), transposed_, single);
   result = single.cast<double>() * (size * scale_);
 }

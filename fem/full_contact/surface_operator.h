@@ -71,10 +71,10 @@ class CouplingOperator {
   /// Throws std::invalid_argument as SurfaceOperator does.
   CouplingOperator(const SurfaceCompliance& surface, const AngularGrid& grid);
 
-  /// moved <- X p, n_rings x 2 n_angles.
-  void along_surface(const Eigen::MatrixXd& pressure, Eigen::MatrixXd& moved) const;
-  /// moved <- X^T t, n_rings x n_angles.
-  void into_body(const Eigen::MatrixXd& traction, Eigen::MatrixXd& moved) const;
+  /// X p: areas times displacements along the surface by the pressures, n_rings x 2 n_angles.
+  [[nodiscard]] Eigen::MatrixXd along_surface(const Eigen::MatrixXd& pressure) const;
+  /// X^T t: areas times displacements into the body by the tractions, n_rings x n_angles.
+  [[nodiscard]] Eigen::MatrixXd into_body(const Eigen::MatrixXd& traction) const;
 
  private:
   struct Block {
@@ -101,11 +101,11 @@ class InverseOperator {
  private:
   struct Block {
     Eigen::Index first, n_components, n_copies;  ///< as of OrderBlock
-    Eigen::MatrixXf matrix;                      ///< the inverse over scale_
+    Eigen::MatrixXf matrix;                      ///< the inverse over scale_, which keeps it within single precision
   };
   Eigen::MatrixXf fields_, transposed_;  // of unit amplitudes, a column each
   Eigen::Index n_rings_;
-  double scale_ = 0;
+  double scale_;
   std::vector<Block> blocks_;
 };
 

@@ -32,12 +32,11 @@ inline const SurfaceCompliance& surface_half_space(double poisson_ratio, unsigne
 /// Areas times the displacements by tractions and pressures at once, fields with columns for t_x, t_y and p.
 inline Eigen::MatrixXd response(const CoupledOperators& operators, const Eigen::MatrixXd& fields) {
   const Eigen::Index m = operators.normal.n_columns();
-  Eigen::MatrixXd along, into, along_by_pressure, into_by_traction, all(fields.rows(), fields.cols());
+  Eigen::MatrixXd along, into, all(fields.rows(), fields.cols());
   operators.tangential.apply(fields.leftCols(2 * m), along);
   operators.normal.apply(fields.rightCols(m), into);
-  operators.coupling.along_surface(fields.rightCols(m), along_by_pressure);
-  operators.coupling.into_body(fields.leftCols(2 * m), into_by_traction);
-  all << along + along_by_pressure, into + into_by_traction;
+  all << along + operators.coupling.along_surface(fields.rightCols(m)),
+      into + operators.coupling.into_body(fields.leftCols(2 * m));
   return all;
 }
 
