@@ -148,7 +148,7 @@ Candidate best_from(const Candidate& candidate, std::size_t first, const Limits&
 double expected_seconds(const Effort& effort) {
   const auto& [n_dofs, n_rings, n_steps, n_angles] = effort;
   const double of_a_step =
-      n_angles > 0 ? 1.25e-8 * std::pow(n_angles, 1.5) * std::pow(n_rings, 2.5) : 1e-5 * std::pow(n_rings / 48, 1.4);
+      n_angles > 0 ? 2.7e-8 * std::pow(n_angles, 1.25) * n_rings * n_rings : 1e-5 * std::pow(n_rings / 48, 1.4);
   return 1e-5 * n_dofs + n_steps * of_a_step;
 }
 

@@ -27,7 +27,7 @@ struct Effort {
 constexpr double most_tolerances = 15;
 
 /// Rough seconds of a computation of this size: 1e-5 n_dofs for the body, and for a history 1e-5 n_steps
-/// (n_rings/48)^1.4 or, of the full contact, 1.25e-8 n_steps n_angles^1.5 n_rings^2.5.
+/// (n_rings/48)^1.4 or, of the full contact, 2.7e-8 n_steps n_angles^1.25 n_rings^2.
 double expected_seconds(const Effort& effort);
 
 /// The cheapest refinement that is expected to bring all bars within their tolerances: of all combinations of up to two

@@ -93,6 +93,12 @@ void add_normal(const AngularGrid& grid, std::vector<Amplitude>& amplitudes) {
     }
 }
 
+/// Whether a field of an order is its own mirror image about the y axis.
+bool is_symmetric_about_y(const FourierOrder& order, SurfaceField field) {
+  const bool is_even = order.parity == Parity::even, order_is_even = order.n % 2 == 0;
+  return field == SurfaceField::tangential ? is_even != order_is_even : is_even == order_is_even;
+}
+
 }  // namespace
 
 AngularGrid angular_grid(unsigned n_around, Mirrors mirrors) {
@@ -131,9 +137,11 @@ std::vector<Amplitude> amplitudes_of(const AngularGrid& grid, SurfaceField field
     add_normal(grid, amplitudes);
   const auto vanishes = [&](const Amplitude& a) { return a.weights.norm() * grid.n_around < roundoff; };
   amplitudes.erase(std::remove_if(amplitudes.begin(), amplitudes.end(), vanishes), amplitudes.end());
-  std::stable_sort(amplitudes.begin(), amplitudes.end(), [](const Amplitude& a, const Amplitude& b) {
-    return std::tie(a.order, a.component) < std::tie(b.order, b.component);
-  });
+  const auto place = [&](const Amplitude& a) {
+    return std::make_tuple(a.order.parity, !is_symmetric_about_y(a.order, field), a.order.n, a.component);
+  };
+  std::sort(amplitudes.begin(), amplitudes.end(),
+            [&](const Amplitude& a, const Amplitude& b) { return place(a) < place(b); });
   return amplitudes;
 }
 

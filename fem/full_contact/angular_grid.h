@@ -49,8 +49,10 @@ struct Amplitude {
   Eigen::VectorXd weights;
 };
 
-/// Amplitudes of the trigonometric polynomials of least degree through values on the angles, by order, parity and
-/// component. With u_x + i u_y = e^{i theta} sum_k c_k e^{i k theta} and the even and odd parts e and o of an order n,
+/// Amplitudes of the trigonometric polynomials of least degree through values on the angles: those that are symmetric
+/// about the x axis before the others, among each of them those that are symmetric about the y axis before the others,
+/// and among these by order and component. With u_x + i u_y = e^{i theta} sum_k c_k e^{i k theta} and the even and odd
+/// parts e and o of an order n,
 ///
 ///   c_n = m_e - i m_o,    c_{-n} = s_e + i s_o,    c_0 = U - i V,
 ///

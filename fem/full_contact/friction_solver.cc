@@ -21,8 +21,12 @@ namespace {
 /// Remainder that is accepted where the iteration stalls, as roundoff may do with many rings: it is a tenth of the
 /// accuracy of prescribed forces.
 constexpr double enough_where_it_stalls = 1e-10;
-constexpr double least_share = 1e-10;      ///< to which a linear system is solved: roundoff leaves less
-constexpr int most_with_old_inverse = 10;  ///< applications from which on a new one is cheaper
+constexpr double least_share = 1e-10;  ///< to which a linear system is solved: roundoff leaves less
+/// Linear systems that would have taken this many applications fewer with a new inverse pay for one: blocks of N rows
+/// take N^3 operations to invert, 4 to 6 N^2 to apply with their inverse, and have one or two rows for each ring.
+double price_of_inverse(Index n_rings) {
+  return static_cast<double>(n_rings) / 2;
+}
 /// Where the contact grows, a new inverse has an eighth more rings than have a limit. It serves until it has a third
 /// more.
 Index with_room(Index n_rings) {
@@ -157,8 +161,11 @@ class Newton {
       keep_to_rims(rims, limit_, result);
     };
     const double share = std::max(tightening_ * share_for(solution_.remainder, enough), least_share);
-    preconditioner_.n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
-    solution_.applications += 1 + preconditioner_.n_applications;
+    const int n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
+    solution_.applications += 1 + n_applications;
+    const double n_decades = -std::log10(share);
+    if (preconditioner_.per_decade == 0) preconditioner_.per_decade = n_applications / n_decades;
+    preconditioner_.n_more += std::max(0.0, n_applications - preconditioner_.per_decade * n_decades);
     onto += step;
     for (Index j = 0; j < m; ++j)  // back to the rims, however far the step was
       for (Index i = 0; i < limit_.rows(); ++i) {
@@ -171,14 +178,15 @@ class Newton {
   }
 
   void update_preconditioner(const Rims& rims) {
-    auto& [inverse, stiffness, n_applications] = preconditioner_;
+    auto& [inverse, stiffness, per_decade, n_more] = preconditioner_;
     const Index n = op_.n_rings(), n_before = stiffness.size();
     const bool fits = n <= n_before && static_cast<double>(n_before) <= most_room * static_cast<double>(n);
-    if (fits && n_applications <= most_with_old_inverse) return;
+    if (fits && n_more <= price_of_inverse(n)) return;
     const bool has_grown = inverse && n > n_before;
     const auto with_more = all_.leading(has_grown ? std::min(with_room(n), all_.n_rings()) : n);
     stiffness = Eigen::ArrayXd::Zero(with_more.n_rings());
     stiffness.head(n) = rims.stiffness.rowwise().mean();
+    per_decade = n_more = 0;
     inverse.emplace(with_more, stiffness.matrix().cwiseQuotient(with_more.areas()));
   }
 

@@ -55,7 +55,8 @@ class FrictionSolver {
   struct Preconditioner {
     std::optional<InverseOperator> inverse;
     Eigen::ArrayXd stiffness;  ///< of its rings to the ground
-    int n_applications = 0;    ///< of the operator, for the last linear system
+    double per_decade = 0;     ///< applications of the operator for a tenth of a residual, when the inverse was new
+    double n_more = 0;         ///< applications beyond that rate since
   };
 
  private:

@@ -53,36 +53,40 @@ Eigen::MatrixXd block_between(const SurfaceCompliance& surface, const std::vecto
 
 std::vector<OrderBlock> blocks_of(const SurfaceCompliance& surface, const std::vector<Amplitude>& amplitudes) {
   std::vector<OrderBlock> blocks;
-  const auto groups = groups_of(amplitudes);
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    const auto& group = groups[i];
-    blocks.push_back(
-        {group.first, group.end - group.first, 1, block_between(surface, amplitudes, group, amplitudes, group)});
-    if (i + 1 < groups.size() && are_alike(amplitudes, groups[i], groups[i + 1])) {
-      blocks.back().n_copies = 2;
-      ++i;
-    }
+  for (const auto& group : groups_of(amplitudes)) {
+    const auto alike = std::find_if(blocks.begin(), blocks.end(), [&](const OrderBlock& block) {
+      return are_alike(amplitudes, {block.first, block.first + block.n_components}, group);
+    });
+    if (alike == blocks.end())
+      blocks.push_back(
+          {group.first, group.end - group.first, block_between(surface, amplitudes, group, amplitudes, group)});
+    else
+      alike->to_copy = group.first - alike->first;
   }
   return blocks;
 }
 
-Eigen::VectorXd diagonal_of(const Eigen::MatrixXd& transform, const std::vector<OrderBlock>& blocks, Index n_rings) {
-  Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(n_rings, transform.rows());
+Eigen::VectorXd diagonal_of(const std::vector<Amplitude>& amplitudes, const std::vector<OrderBlock>& blocks,
+                            Index n_rings) {
+  Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(n_rings, amplitudes.front().weights.size());
   for (const auto& block : blocks)
-    for (Index copy = 0; copy < block.n_copies; ++copy)
+    for (Index copy = 0; copy < block.n_copies(); ++copy)
       for (Index i = 0; i < block.n_components; ++i)
         for (Index j = 0; j < block.n_components; ++j) {
-          const Index first = block.first + copy * block.n_components;
-          const auto weights = transform.col(first + i).cwiseProduct(transform.col(first + j));
+          const auto first = amplitudes.begin() + block.first + copy * block.to_copy;
+          const auto weights = first[i].weights.cwiseProduct(first[j].weights);
           diagonal += block.matrix->block(i * n_rings, j * n_rings, n_rings, n_rings).diagonal() * weights.transpose();
         }
   return diagonal.rowwise().maxCoeff();
 }
 
-/// The amplitudes of a block as a matrix, with a column for each copy that it serves.
+/// Amplitudes from the first one on as a vector of this many rows, and a second one `to_copy` amplitudes later unless
+/// that is 0.
 template <class Matrix>
-Eigen::Map<Matrix> columns_of(Matrix& amplitudes, Index first, Index rows, Index n_copies = 1) {
-  return {amplitudes.col(first).data(), rows, n_copies};
+Eigen::Map<Matrix, Eigen::Unaligned, Eigen::OuterStride<>> columns_of(Matrix& amplitudes, Index first, Index rows,
+                                                                      Index to_copy = 0) {
+  return {amplitudes.col(first).data(), rows, to_copy == 0 ? 1 : 2,
+          Eigen::OuterStride<>(std::max(to_copy * amplitudes.rows(), rows))};
 }
 
 /// displaced <- the symmetric blocks times their amplitudes.
@@ -90,15 +94,9 @@ template <class Block, class Matrix>
 void multiply_blocks(const std::vector<Block>& blocks, Matrix& amplitudes, Matrix& displaced) {
   for (const auto& block : blocks) {
     const Index rows = amplitudes.rows() * block.n_components;
-    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.n_copies),
-                       columns_of(displaced, block.first, rows, block.n_copies));
+    multiply_symmetric(block.matrix, columns_of(amplitudes, block.first, rows, block.to_copy),
+                       columns_of(displaced, block.first, rows, block.to_copy));
   }
-}
-
-Eigen::MatrixXd transform_of(const std::vector<Amplitude>& amplitudes) {
-  Eigen::MatrixXd transform(amplitudes.front().weights.size(), static_cast<Index>(amplitudes.size()));
-  for (Index i = 0; i < transform.cols(); ++i) transform.col(i) = amplitudes[static_cast<std::size_t>(i)].weights;
-  return transform;
 }
 
 void require_orders(const SurfaceCompliance& surface, const AngularGrid& grid) {
@@ -114,10 +112,9 @@ SurfaceOperator::SurfaceOperator(const SurfaceCompliance& surface, const Angular
     : grid_(grid), radii_(surface.radii), areas_(surface.areas * grid.multiplicity() / grid.n_around) {
   require_orders(surface, grid);
   const auto amplitudes = amplitudes_of(grid, field);
-  transform_ = transform_of(amplitudes);
+  transform_ = {grid, field, amplitudes};
   blocks_ = blocks_of(surface, amplitudes);
-  transposed_ = transform_.transpose();
-  diagonal_ = diagonal_of(transform_, blocks_, n_rings());
+  diagonal_ = diagonal_of(amplitudes, blocks_, n_rings());
 }
 
 SurfaceOperator SurfaceOperator::leading(Index n_rings) const {
@@ -137,22 +134,18 @@ SurfaceOperator SurfaceOperator::leading(Index n_rings) const {
 }
 
 void SurfaceOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const {
-  const Index n = n_rings();
-  Eigen::MatrixXd amplitudes(n, transform_.cols()), displaced(n, transform_.cols());
-  multiply(field, transform_, amplitudes);
+  Eigen::MatrixXd amplitudes(n_rings(), transform_.n_amplitudes()), displaced(n_rings(), transform_.n_amplitudes());
+  transform_.amplitudes_of(field, amplitudes);
   multiply_blocks(blocks_, amplitudes, displaced);
-  result.resize(n, transform_.rows());
-  multiply(displaced, transposed_, result);
+  transform_.field_of(displaced, result);
 }
 
 CouplingOperator::CouplingOperator(const SurfaceCompliance& surface, const AngularGrid& grid) {
   require_orders(surface, grid);
   const auto tangential = amplitudes_of(grid, SurfaceField::tangential),
              normal = amplitudes_of(grid, SurfaceField::normal);
-  tangential_ = transform_of(tangential);
-  normal_ = transform_of(normal);
-  tangential_transposed_ = tangential_.transpose();
-  normal_transposed_ = normal_.transpose();
+  tangential_ = {grid, SurfaceField::tangential, tangential};
+  normal_ = {grid, SurfaceField::normal, normal};
   for (const auto& along : groups_of(tangential))
     for (const auto& into : groups_of(normal))
       if (tangential[along.first].order == normal[into.first].order)
@@ -164,12 +157,13 @@ Eigen::MatrixXd CouplingOperator::along_surface(const Eigen::MatrixXd& pressure)
   const Index n = pressure.rows();
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, 2 * pressure.cols());
   if (blocks_.empty()) return moved;
-  Eigen::MatrixXd amplitudes(n, normal_.cols()), displaced = Eigen::MatrixXd::Zero(n, tangential_.cols());
-  multiply(pressure, normal_, amplitudes);
+  Eigen::MatrixXd amplitudes(n, normal_.n_amplitudes()),
+      displaced = Eigen::MatrixXd::Zero(n, tangential_.n_amplitudes());
+  normal_.amplitudes_of(pressure, amplitudes);
   for (const auto& block : blocks_)
     multiply(block.matrix, amplitudes.col(block.normal),
              columns_of(displaced, block.tangential, n * block.n_components));
-  multiply(displaced, tangential_transposed_, moved);
+  tangential_.field_of(displaced, moved);
   return moved;
 }
 
@@ -177,12 +171,13 @@ Eigen::MatrixXd CouplingOperator::into_body(const Eigen::MatrixXd& traction) con
   const Index n = traction.rows();
   Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(n, traction.cols() / 2);
   if (blocks_.empty()) return moved;
-  Eigen::MatrixXd amplitudes(n, tangential_.cols()), displaced = Eigen::MatrixXd::Zero(n, normal_.cols());
-  multiply(traction, tangential_, amplitudes);
+  Eigen::MatrixXd amplitudes(n, tangential_.n_amplitudes()),
+      displaced = Eigen::MatrixXd::Zero(n, normal_.n_amplitudes());
+  tangential_.amplitudes_of(traction, amplitudes);
   for (const auto& block : blocks_)
     multiply_by_transpose(block.matrix, columns_of(amplitudes, block.tangential, n * block.n_components),
                           displaced.col(block.normal));
-  multiply(displaced, normal_transposed_, moved);
+  normal_.field_of(displaced, moved);
   return moved;
 }
 
@@ -190,32 +185,31 @@ Eigen::MatrixXd CouplingOperator::into_body(const Eigen::MatrixXd& traction) con
 // highest harmonic of a traction is two amplitudes of which the angles only see the sum: half of it goes to each.
 InverseOperator::InverseOperator(const SurfaceOperator& op, const Eigen::VectorXd& ground)
     : n_rings_(op.n_rings()), scale_(1 / op.diagonal().minCoeff()) {
-  Eigen::MatrixXd fields = op.transform();
   const double n_points = op.grid().n_around / op.grid().multiplicity();
-  for (Index i = 0; i < fields.cols(); ++i) fields.col(i) *= std::min(1 / fields.col(i).squaredNorm(), 2 * n_points);
+  const Eigen::VectorXd squares = op.transform().squares(), factors = squares.cwiseInverse().cwiseMin(2 * n_points);
   const Eigen::VectorXd tied = op.areas().cwiseProduct(ground);
   for (const auto& block : op.blocks()) {
     Eigen::MatrixXd matrix = block.matrix;
     for (Index i = 0; i < block.n_components; ++i)
-      matrix.diagonal().segment(i * tied.size(), tied.size()) += fields.col(block.first + i).squaredNorm() * tied;
+      matrix.diagonal().segment(i * tied.size(), tied.size()) +=
+          factors[block.first + i] * factors[block.first + i] * squares[block.first + i] * tied;
     auto inverted = inverse(std::move(matrix));
     if (!inverted) throw SolverError("a Fourier order of the contact compliance is not positive definite");
-    blocks_.push_back({block.first, block.n_components, block.n_copies, (*inverted / scale_).cast<float>()});
+    blocks_.push_back({block.first, block.n_components, block.to_copy, (*inverted / scale_).cast<float>()});
   }
-  fields_ = fields.cast<float>();
-  transposed_ = fields_.transpose();
+  fields_ = op.transform().scaled(factors);
 }
 
 void InverseOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& result) const {
   const double size = field.lpNorm<Eigen::Infinity>();
   if (size == 0) return void(result.setZero(field.rows(), field.cols()));
   const Index n = field.rows();
-  Eigen::MatrixXf single = (field / size).cast<float>(), amplitudes(n_rings_, fields_.cols()),
-                  solved(n_rings_, fields_.cols());
-  multiply(single, fields_, amplitudes.topRows(n));
+  Eigen::MatrixXf single = (field / size).cast<float>(), amplitudes(n_rings_, fields_.n_amplitudes()),
+                  solved(n_rings_, fields_.n_amplitudes());
+  fields_.amplitudes_of(single, amplitudes.topRows(n));
   amplitudes.bottomRows(n_rings_ - n).setZero();
   multiply_blocks(blocks_, amplitudes, solved);
-  multiply(solved.topRows(n), transposed_, single);
+  fields_.field_of(solved.topRows(n), single);
   result = single.cast<double>() * (size * scale_);
 }
 

@@ -4,16 +4,21 @@
 #include <vector>
 
 #include "fem/full_contact/angular_grid.h"
+#include "fem/full_contact/angular_transform.h"
 #include "fem/full_contact/surface_compliance.h"
 #include "fem/support/shared_matrix.h"
 
 namespace fretval::fem {
 
-/// A block of one Fourier order over consecutive amplitudes, n_components times n_rings rows. It serves n_copies of
-/// these amplitudes, one after the other, as the even and the odd parity have the same block.
+/// A block of one Fourier order over consecutive amplitudes, n_components times n_rings rows. Where the odd parity has
+/// the same block as the even one, it serves the amplitudes of both.
 struct OrderBlock {
-  Eigen::Index first, n_components, n_copies;  ///< of the amplitudes
+  Eigen::Index first, n_components;  ///< of the amplitudes
   SharedMatrix matrix;
+  Eigen::Index to_copy =
+      0;  ///< number of amplitudes from the first one to the first of the other parity, 0: it has none
+
+  [[nodiscard]] Eigen::Index n_copies() const { return to_copy == 0 ? 1 : 2; }
 };
 
 /// Response of a body of unit shear modulus to tractions (u_x, u_y) or to pressures (u into the body), which are fields
@@ -42,18 +47,18 @@ class SurfaceOperator {
   /// Per ring: the area that each of its kept points stands for, that of the points which a mirror leaves out included.
   [[nodiscard]] const Eigen::VectorXd& areas() const { return areas_; }
   [[nodiscard]] Eigen::Index n_rings() const { return areas_.size(); }
-  [[nodiscard]] Eigen::Index n_columns() const { return transform_.rows(); }
+  [[nodiscard]] Eigen::Index n_columns() const { return transform_.n_columns(); }
   /// Per ring: the largest diagonal entry of K.
   [[nodiscard]] const Eigen::VectorXd& diagonal() const { return diagonal_; }
-  /// T^T, a column for each amplitude.
-  [[nodiscard]] const Eigen::MatrixXd& transform() const { return transform_; }
+  /// T and T^T.
+  [[nodiscard]] const AngularTransform<double>& transform() const { return transform_; }
   [[nodiscard]] const std::vector<OrderBlock>& blocks() const { return blocks_; }
 
  private:
   AngularGrid grid_;
   std::vector<double> radii_;
   Eigen::VectorXd areas_, diagonal_;
-  Eigen::MatrixXd transform_, transposed_;
+  AngularTransform<double> transform_;
   std::vector<OrderBlock> blocks_;
 };
 
@@ -82,7 +87,7 @@ class CouplingOperator {
     Eigen::Index normal;                    ///< amplitude of the pressures
     Eigen::MatrixXd matrix;                 ///< n_components times n_rings rows, n_rings columns
   };
-  Eigen::MatrixXd tangential_, normal_, tangential_transposed_, normal_transposed_;
+  AngularTransform<double> tangential_, normal_;
   std::vector<Block> blocks_;
 };
 
@@ -100,10 +105,10 @@ class InverseOperator {
 
  private:
   struct Block {
-    Eigen::Index first, n_components, n_copies;  ///< as of OrderBlock
-    Eigen::MatrixXf matrix;                      ///< the inverse over scale_, which keeps it within single precision
+    Eigen::Index first, n_components, to_copy;  ///< as of OrderBlock
+    Eigen::MatrixXf matrix;                     ///< the inverse over scale_, which keeps it within single precision
   };
-  Eigen::MatrixXf fields_, transposed_;  // of unit amplitudes, a column each
+  AngularTransform<float> fields_;  // its weights are the fields of unit amplitudes
   Eigen::Index n_rings_;
   double scale_;
   std::vector<Block> blocks_;

@@ -73,6 +73,7 @@ void sizes(benchmark::internal::Benchmark* benchmark) {
   benchmark->Unit(benchmark::kMillisecond)->ArgNames({"rings", "angles"});
   for (const int rings : {24, 48, 96, 192}) benchmark->Args({rings, 16});
   for (const int angles : {32, 64}) benchmark->Args({48, angles});
+  benchmark->Args({96, 64});
 }
 
 BENCHMARK_CAPTURE(friction, along_x, false)->Apply(sizes);
