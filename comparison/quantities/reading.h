@@ -30,7 +30,7 @@ struct CycleReadings {
   /// What was computed less what small steps give, as far as steps within which sliding ends put readings off; SI
   /// units.
   std::map<Quantity, double> off_by_steps = {};
-  /// How far extremes that lie between steps may be from what is read; SI units.
+  /// How far readings may be off by what lies between the steps: extremes, and jumps of a force; SI units.
   std::map<Quantity, double> between_steps = {};
 
   [[nodiscard]] double value(Quantity quantity) const;        ///< 0: there is none

@@ -14,6 +14,7 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
   const auto& uncertain = cycle.uncertainty;
   const double friction_error = uncertain.friction_work * work, loss_error = uncertain.cycle_work * work;
   const auto& off = cycle.off_by_steps;
+  const auto& between = cycle.between_steps;
   return CycleReadings{
       {{Quantity::tangential_force_max, {cycle.tangential_force_max * force, uncertain.tangential_force_max * force}},
        {Quantity::tangential_force_mean,
@@ -30,7 +31,11 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
        {Quantity::bulk_work, off.work * work},
        {Quantity::cycle_work, off.work * work},
        {Quantity::tangential_work, off.work * work}},
-      {{Quantity::tangential_force_max, cycle.largest_between_steps * force}}};
+      {{Quantity::tangential_force_max, between.tangential_force_max * force},
+       {Quantity::tangential_force_mean, between.tangential_force_mean * force},
+       {Quantity::bulk_work, between.cycle_work * work},
+       {Quantity::cycle_work, between.cycle_work * work},
+       {Quantity::tangential_work, between.tangential_work * work}}};
 }
 
 CycleReadings cycle_of(const FemCase& fem, const fem::SurfaceHistory& history, double normal_work) {

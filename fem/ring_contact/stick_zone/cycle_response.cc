@@ -124,6 +124,35 @@ LargestForce largest_tangential_force(double friction_coefficient, const Motion&
   return {value, std::max({0.0, value - least, most - value})};
 }
 
+/// What a sum over equal steps leaves open, y . moves, where y jumps within one of them, as the force of a body with
+/// memory that is touched again: nobody knows when, so half of the jump times the move. A jump J has a third difference
+/// of 2 J across its step, and what is smooth one that vanishes with the third power of the step.
+double open_where_it_jumps(const Eigen::VectorXd& y, const Eigen::VectorXd& moves) {
+  const auto n = y.size();
+  double open = 0;
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const auto before = (k + n - 1) % n, next = (k + 1) % n, after = (k + 2) % n;
+    const double jump = std::abs(y[after] - 3 * y[next] + 3 * y[k] - y[before]) / 2;
+    open = std::max(open, jump / 2 * std::max(std::abs(moves[k]), std::abs(moves[next])));
+  }
+  return open;
+}
+
+/// What jumps of both forces between the steps leave open. along, down: moves of what is prescribed.
+CycleBetweenSteps open_between_steps(const Motion& motion, const Eigen::VectorXd& along, const Eigen::VectorXd& down,
+                                     const NormalHistory& normal, const FrictionHistory& friction) {
+  const auto n = friction.force.size();
+  CycleBetweenSteps open;
+  if (!motion.tangential_force)
+    open.tangential_force_mean =
+        open_where_it_jumps(friction.force, Eigen::VectorXd::Constant(n, 1 / static_cast<double>(n)));
+  open.tangential_work = open_where_it_jumps(motion.tangential_force ? friction.indenter : friction.force, along);
+  const Eigen::VectorXd pressing = normal.force + normal.force_beyond;
+  open.cycle_work =
+      open.tangential_work + open_where_it_jumps(motion.normal_force ? normal.indentation : pressing, down);
+  return open;
+}
+
 double path_to_and_fro(const Motion& motion, double amplitude) {
   return tangential_path(motion) / motion.tangential_amplitude() * amplitude;
 }
@@ -175,7 +204,7 @@ CycleResponse response_along(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * way_along(motion, friction);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
-  response.largest_between_steps = largest.uncertainty;
+  response.between_steps.tangential_force_max = largest.uncertainty;
   if (once) response.uncertainty.friction_work = friction.dissipated_uncertainty;
   response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
@@ -209,7 +238,8 @@ CycleResponse cycle_response(const RelaxationModel& relaxation, double friction_
   response.sliding_force = friction_coefficient * normal_force_max;
   response.sliding_work = response.sliding_force * path_to_and_fro(motion, friction.amplitude);
   response.uncertainty = uncertainty_of(relaxation, motion, along, down, normal, friction);
-  response.largest_between_steps = largest.uncertainty;
+  if (relaxation.has_memory()) response.between_steps = open_between_steps(motion, along, down, normal, friction);
+  response.between_steps.tangential_force_max = largest.uncertainty;
   response.off_by_steps = off_by_steps(relaxation, motion, friction);
   return response;
 }

@@ -20,6 +20,14 @@ struct CycleOffset {
   double work = 0;  ///< of tangential_work, friction_work and what is lost altogether
 };
 
+/// How far what lies between the samples may put a CycleResponse off: the largest |F_x| there and, in a body with
+/// memory, jumps of the forces.
+struct CycleBetweenSteps {
+  double tangential_force_max = 0, tangential_force_mean = 0;
+  double tangential_work = 0;
+  double cycle_work = 0;  ///< of both loops
+};
+
 /// Forces and works that drive a locked motion through a cycle of the periodic state. Dimensionless.
 struct CycleResponse {
   double tangential_force_max;   ///< of |F_x|
@@ -31,7 +39,7 @@ struct CycleResponse {
   double sliding_work;           ///< what sliding under that force along the whole tangential path would cost
   CycleUncertainty uncertainty = {};  ///< from the reading of the rings
   CycleOffset off_by_steps = {};
-  double largest_between_steps = 0;  ///< how far the largest |F_x| may lie from what is read between the steps
+  CycleBetweenSteps between_steps = {};
 };
 
 /// Area of the normal loop, `oint F_N dd`; for a single pass the work of the normal force.

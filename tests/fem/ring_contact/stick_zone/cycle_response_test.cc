@@ -144,7 +144,7 @@ TEST(CycleResponse, KnowsTheFrictionLimitBetweenTheSteps) {
   const auto response = cycle_response({}, 0.5, s.motion, 2.6, s.normal, s.friction);
   EXPECT_LT(sampled_most, between - 2e-3);
   EXPECT_NEAR(response.tangential_force_max, between, 1e-4);
-  EXPECT_NEAR(response.largest_between_steps, response.tangential_force_max - sampled_most, 1e-4);
+  EXPECT_NEAR(response.between_steps.tangential_force_max, response.tangential_force_max - sampled_most, 1e-4);
 }
 
 TEST(CycleResponse, MeanForceIsUncertainByTheMeanAndTheLargestByItsOwnStep) {
@@ -200,19 +200,55 @@ TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
 TEST(CycleResponse, LeavesOpenWhereAForceThatBendsIsLargest) {
   auto s = sampled(72);
   const auto response = [&] { return cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction); };
-  EXPECT_LT(response().largest_between_steps, 1e-5);
+  EXPECT_LT(response().between_steps.tangential_force_max, 1e-5);
   s.friction.force.setConstant(0.1);
   for (Eigen::Index k = 0; k <= 40; ++k) s.friction.force[k] = 0.1 + 0.01 * static_cast<double>(k);
   s.friction.force[41] = 0.45;
   const auto bent = response();
-  EXPECT_NEAR(bent.tangential_force_max, 0.5 + 0.02 * 0.02 / (2 * 0.06), 1e-12);     // the vertex of a parabola
-  EXPECT_NEAR(bent.largest_between_steps, 0.51 - bent.tangential_force_max, 1e-12);  // what rises goes on rising
+  EXPECT_NEAR(bent.tangential_force_max, 0.5 + 0.02 * 0.02 / (2 * 0.06), 1e-12);  // the vertex of a parabola
+  EXPECT_NEAR(bent.between_steps.tangential_force_max, 0.51 - bent.tangential_force_max,
+              1e-12);  // what rises goes on rising
   s.normal.force.setConstant(2 * 0.503);
   const auto limited = response();
   EXPECT_NEAR(limited.tangential_force_max, 0.503, 1e-12);
-  EXPECT_NEAR(limited.largest_between_steps, 0.503 - 0.5, 1e-12);
+  EXPECT_NEAR(limited.between_steps.tangential_force_max, 0.503 - 0.5, 1e-12);
   s.motion.tangential_force = true;
-  EXPECT_EQ(response().largest_between_steps, 0);
+  EXPECT_EQ(response().between_steps.tangential_force_max, 0);
+}
+
+// A body with memory is touched somewhere in a step, at a full force, and left again where the indenter turns.
+TEST(CycleResponse, LeavesOpenWhereInAStepAForceJumps) {
+  constexpr int n = 32;
+  constexpr double dt = 2 * pi / n, left = pi;
+  const auto loop_of_touching_at = [&](double touched) {
+    auto s = sampled(n);
+    s.friction.force.setZero();
+    for (Eigen::Index k = 0; k < n; ++k) {
+      const double phase = std::remainder(s.normal.time[k] - pi, 2 * pi) + pi;
+      s.normal.force[k] = phase > touched && phase < left + dt / 4 ? 1 : 0;
+    }
+    const auto response = cycle_response({1, {1}, {0.5}, 0}, 0.5, s.motion, 1, s.normal, s.friction);
+    EXPECT_NEAR(response.between_steps.cycle_work, 0.2 * std::sin(pi / 2) * dt / 2, 0.05 * 0.2 * dt);
+    EXPECT_LT(response.between_steps.tangential_work, 1e-15);
+    return std::make_pair(response.friction_work + response.bulk_work, response.between_steps.cycle_work);
+  };
+  const double exact_at_first = -0.2;  // oint F dd = d(left) - d(touched) = -0.2 - 0.2 cos(touched)
+  for (const double share : {0.05, 0.5, 0.95}) {
+    const double touched = pi / 2 + share * dt;
+    const auto [work, open] = loop_of_touching_at(touched);
+    EXPECT_LE(std::abs(work - (exact_at_first - 0.2 * std::cos(touched))), 1.05 * open) << share;
+  }
+}
+
+// What is smooth leaves nothing open, neither does a body whose forces cannot jump.
+TEST(CycleResponse, OfSmoothForcesLeavesAThousandthOpen) {
+  const auto s = sampled(64);
+  const auto open = [&](const RelaxationModel& body) {
+    return cycle_response(body, 0.5, s.motion, 2.6, s.normal, s.friction).between_steps;
+  };
+  EXPECT_LT(open({1, {1}, {0.5}, 0}).cycle_work, 1e-3 * pi * 0.2 * 0.6 * std::sin(0.3));
+  EXPECT_LT(open({1, {1}, {0.5}, 0}).tangential_force_mean, 1e-5 * 0.4);
+  EXPECT_EQ(open({1, {}, {}, 0}).cycle_work, 0);
 }
 
 TEST(CycleResponse, WithoutMemoryFrictionTakesTheTangentialLoop) {
