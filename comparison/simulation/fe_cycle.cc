@@ -33,6 +33,7 @@ std::optional<CycleReadings> cycle_of(const FemCase& fem, double normal_force_ma
        {Quantity::tangential_work, off.work * work}},
       {{Quantity::tangential_force_max, between.tangential_force_max * force},
        {Quantity::tangential_force_mean, between.tangential_force_mean * force},
+       {Quantity::friction_work, between.tangential_work * work},
        {Quantity::bulk_work, between.cycle_work * work},
        {Quantity::cycle_work, between.cycle_work * work},
        {Quantity::tangential_work, between.tangential_work * work}}};

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <optional>
@@ -207,29 +208,30 @@ ChangesWithBars with_bars(SceneChanges& changes, const Resolution& finest) {
   return found;
 }
 
-/// Rings or time steps, whichever adds more to the bars that are wider than a tenth of an effect; empty: none is.
-/// Effects that nobody would notice may have wide bars.
-std::optional<ErrorSource> what_widens(const ChangesWithBars& found) {
-  constexpr double least_effect = 1e-3, narrow = 0.1;
-  double by_rings = 0, by_steps = 0;
-  for (const auto& [quantity, bar] : found.bars) {
-    const auto change = found.changes.find(quantity);
-    const double effect = change == found.changes.end() ? 1 : std::abs(change->second.value);
-    if (effect < least_effect || bar.total() <= narrow * effect) continue;
-    for (const auto& share : bar.shares) {
-      if (share.source == ErrorSource::rings) by_rings += share.estimate / effect;
-      if (share.source == ErrorSource::time_step) by_steps += share.estimate / effect;
-    }
-  }
-  if (by_rings == 0 && by_steps == 0) return {};
-  return by_rings > by_steps ? ErrorSource::rings : ErrorSource::time_step;
+constexpr int most_refinements = 3;
+
+/// How far MDR over a half-space is off or, where that has no such quantity, MDR over the body; by everything where
+/// nothing is known.
+ModelChange off_by(const MapPoint& point, Quantity quantity) {
+  if (const auto own = point.own_off_by(quantity)) return *own;
+  const auto change = point.changes.find(quantity);
+  return change == point.changes.end() ? ModelChange{1, 1} : change->second;
 }
 
-/// Whether a bar that is too wide has rings or steps halved, once: not on a layer, where a step of a coupled contact
-/// takes fifty times as long as one with given pressures. Rings that are halved again let micro-slip settle so slowly
-/// that they widen the bar.
-bool is_refined(const MapScene& scene) {
-  return !scene.coupled || scene.radius_over_thickness == 0;
+/// What adds most to the bars that are wider than a tenth of how far MDR is off; empty: none is. Errors of MDR that
+/// nobody would notice may have wide bars.
+std::optional<ErrorSource> what_widens(const MapPoint& point, const ErrorBudget& bars) {
+  constexpr double least_error = 1e-3, narrow = 0.1;
+  std::map<ErrorSource, double> widened;
+  for (const auto& [quantity, bar] : bars) {
+    const auto [value, width] = off_by(point, quantity);
+    const double error = std::abs(value);
+    if (error < least_error || width <= narrow * error) continue;
+    for (const auto& share : bar.shares) widened[share.source] += share.estimate / error;
+  }
+  const auto most = std::max_element(widened.begin(), widened.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == widened.end() ? std::nullopt : std::optional(most->first);
 }
 
 }  // namespace
@@ -294,11 +296,13 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double f
   const auto input = case_of(planned.scene);
   auto point = point_by_mdr(planned, input);
   SceneChanges changes(input, point.at, bodies);
-  const auto resolution = first_resolution(changes.fem(), planned, point.at, fineness);
-  auto found = with_bars(changes, resolution);
-  if (const auto source = what_widens(found); source && fineness >= 1 && is_refined(planned.scene))
-    found = with_bars(changes, *refined(resolution, *source));
-  point.changes = std::move(found.changes);
+  std::optional<Resolution> resolution = first_resolution(changes.fem(), planned, point.at, fineness);
+  for (int n = 0; resolution; ++n) {
+    auto found = with_bars(changes, *resolution);
+    point.changes = std::move(found.changes);
+    const auto source = n < most_refinements && fineness >= 1 ? what_widens(point, found.bars) : std::nullopt;
+    resolution = source ? refined(*resolution, *source) : std::nullopt;
+  }
   return point;
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "fem/support/constants.h"
 #include "tests/comparison/some_cycle.h"
 
 namespace fretval::fe_cycle_test {
@@ -52,6 +54,19 @@ TEST(FeCycle, HasWhatSingleStepsLeaveOpenInItsUnits) {
     EXPECT_DOUBLE_EQ(cycle.off_by_steps.at(work), 12 * 0.25 * 20) << "22 steps with the error and 2 against it";
   const double peak = cycle.value(Quantity::tangential_force_max);
   EXPECT_NEAR(cycle.between_steps.at(Quantity::tangential_force_max), std::max(peak - 48, 54 - peak), 1e-9);
+  EXPECT_EQ(cycle.between_steps.at(Quantity::tangential_work), 0) << "a body without memory, whose forces do not jump";
+
+  // From 8 to -3, where it would have risen by 1: a jump of 12 at the 12th step and at the last one.
+  fem.relaxation = {1, {1}, {0.5}, 0};
+  friction.n_steps = 21L * n;  // beyond the ramp
+  const auto remembering = cycle_of(fem, 100, normal, friction).value();
+  const auto move = [](double t) { return 0.1 * std::abs(std::sin(t + 0.7)) * 2 * fem::pi / n; };
+  const double one_step = 2 * fem::pi / n, half_way = 11 * one_step,
+               largest_move = std::max(move(half_way), move(half_way + one_step));
+  for (const auto work :
+       {Quantity::tangential_work, Quantity::friction_work, Quantity::bulk_work, Quantity::cycle_work})
+    EXPECT_NEAR(remembering.between_steps.at(work), 6 * largest_move * 12, 1e-9);
+  EXPECT_NEAR(remembering.between_steps.at(Quantity::tangential_force_mean), 6.0 / n * 6, 1e-12);
 }
 
 TEST(FeCycle, TakesOverTheChangeFromOneContactToAnother) {
