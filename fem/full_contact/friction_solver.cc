@@ -163,9 +163,7 @@ class Newton {
     const double share = std::max(tightening_ * share_for(solution_.remainder, enough), least_share);
     const int n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
     solution_.applications += 1 + n_applications;
-    const double n_decades = -std::log10(share);
-    if (preconditioner_.per_decade == 0) preconditioner_.per_decade = n_applications / n_decades;
-    preconditioner_.n_more += std::max(0.0, n_applications - preconditioner_.per_decade * n_decades);
+    watch_preconditioner(n_applications, -std::log10(share));
     onto += step;
     for (Index j = 0; j < m; ++j)  // back to the rims, however far the step was
       for (Index i = 0; i < limit_.rows(); ++i) {
@@ -175,6 +173,15 @@ class Newton {
         onto(i, m + j) *= limit_(i, j) / length;
       }
     return onto_discs(onto, limit_) - solution_.traction;
+  }
+
+  /// A new inverse that takes more than 10 applications for a tenth of the residual happens to be bad, and would never
+  /// be made anew at its own rate.
+  void watch_preconditioner(int n_applications, double n_decades) {
+    constexpr double bad_rate = 10;
+    auto& [inverse, stiffness, per_decade, n_more] = preconditioner_;
+    if (per_decade == 0) per_decade = std::min(n_applications / n_decades, bad_rate);
+    n_more += std::max(0.0, n_applications - per_decade * n_decades);
   }
 
   void update_preconditioner(const Rims& rims) {
