@@ -296,12 +296,22 @@ MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double f
   const auto input = case_of(planned.scene);
   auto point = point_by_mdr(planned, input);
   SceneChanges changes(input, point.at, bodies);
-  std::optional<Resolution> resolution = first_resolution(changes.fem(), planned, point.at, fineness);
-  for (int n = 0; resolution; ++n) {
-    auto found = with_bars(changes, *resolution);
-    point.changes = std::move(found.changes);
-    const auto source = n < most_refinements && fineness >= 1 ? what_widens(point, found.bars) : std::nullopt;
-    resolution = source ? refined(*resolution, *source) : std::nullopt;
+  auto resolution = first_resolution(changes.fem(), planned, point.at, fineness);
+  auto found = with_bars(changes, resolution);
+  point.changes = found.changes;
+  for (int n = 0; n < most_refinements && fineness >= 1; ++n) {
+    const auto source = what_widens(point, found.bars);
+    const auto finer = source ? refined(resolution, *source) : std::nullopt;
+    if (!finer) break;
+    try {
+      found = with_bars(changes, *finer);
+    } catch (const std::runtime_error& error) {
+      log::warn(fmt::format("{}, c/a = {}: a refinement is taken back: {}", planned.map, planned.scene.stick_ratio,
+                            error.what()));
+      break;
+    }
+    point.changes = found.changes;
+    resolution = *finer;
   }
   return point;
 }
