@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -21,7 +22,6 @@ namespace {
 /// Remainder that is accepted where the iteration stalls, as roundoff may do with many rings: it is a tenth of the
 /// accuracy of prescribed forces.
 constexpr double enough_where_it_stalls = 1e-10;
-constexpr double least_share = 1e-10;  ///< to which a linear system is solved: roundoff leaves less
 /// Linear systems that would have taken this many applications fewer with a new inverse pay for one: blocks of N rows
 /// take N^3 operations to invert, 4 to 6 N^2 to apply with their inverse, and have one or two rows for each ring.
 double price_of_inverse(Index n_rings) {
@@ -115,17 +115,14 @@ class Newton {
   /// Whether the solution is found.
   bool is_done(double enough) {
     solution_.remainder = friction_remainder(op_, solution_.residual, limit_, solution_.traction) / largest_;
+    least_remainder_ = std::min(least_remainder_, solution_.remainder);
     return solution_.remainder <= enough;
   }
 
   void iterate(double enough) {
     ++solution_.iterations;
     const auto newton = as_far_as_it_lowers(newton_step(enough));
-    if (halves_remainder(newton)) {
-      tightening_ = 1;
-      return go(newton, 1);
-    }
-    tightening_ /= 10;
+    if (halves_least_remainder(newton)) return go(newton, 1);
     const auto down = as_far_as_it_lowers(gradient_step());
     const auto& better = lowering(newton) > lowering(down) ? newton : down;
     go(better, better.share);
@@ -160,7 +157,7 @@ class Newton {
       result = scaled(std::move(result), scale);
       keep_to_rims(rims, limit_, result);
     };
-    const double share = std::max(tightening_ * share_for(solution_.remainder, enough), least_share);
+    const double share = share_for(solution_.remainder, enough);
     const int n_applications = conjugate_gradients(apply, precondition, right, share, most_applications, step);
     solution_.applications += 1 + n_applications;
     watch_preconditioner(n_applications, -std::log10(share));
@@ -204,12 +201,13 @@ class Newton {
     return onto_discs(onto, limit_) - solution_.traction;
   }
 
-  /// Whether a step halves the remainder. Near the solution roundoff hides the change of the energy, by which other
-  /// steps are judged.
-  [[nodiscard]] bool halves_remainder(const Descent& whole) const {
+  /// Whether a step leaves less than half of the least remainder so far. Such a step may raise the energy, by which
+  /// other steps are judged: near the solution roundoff hides its change. There are only so many of them, which half of
+  /// the last remainder would not see to: two steps may take turns, one raising the energy and one lowering it.
+  [[nodiscard]] bool halves_least_remainder(const Descent& whole) const {
     const double remainder =
         friction_remainder(op_, solution_.residual - whole.image, limit_, solution_.traction + whole.way) / largest_;
-    return remainder < solution_.remainder / 2;
+    return remainder < least_remainder_ / 2;
   }
 
   /// Goes along a way as far as that lowers the energy, but not beyond its end, which still lies in the discs.
@@ -252,7 +250,7 @@ class Newton {
   MatrixXd image_;
   FrictionSolver::Preconditioner& preconditioner_;
   FrictionSolution solution_;
-  double tightening_ = 1;  // of linear systems, after steps that did not halve the remainder
+  double least_remainder_ = std::numeric_limits<double>::infinity();
 };
 
 void require_fit(const SurfaceOperator& op, const MatrixXd& pull, const MatrixXd& limit, const MatrixXd& guess) {

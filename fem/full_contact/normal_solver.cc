@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -40,6 +41,7 @@ class ActiveSet {
   /// Whether the solution is found.
   bool is_done(double enough) {
     remainder_ = remainder_of(scale_, pressure_, pull_);
+    least_remainder_ = std::min(least_remainder_, remainder_);
     return remainder_ <= enough;
   }
 
@@ -47,7 +49,7 @@ class ActiveSet {
     ++n_iterations_;
     const MatrixXd way = newton_step(enough);
     apply(way, image_);
-    if (remainder_of(scale_, pressure_ + way, pull_ - image_) < remainder_ / 2) return go(way, 1);
+    if (remainder_of(scale_, pressure_ + way, pull_ - image_) < least_remainder_ / 2) return go(way, 1);
     const double share = share_of_descent(way);
     if (share > 0) return go(way, share);
     const MatrixXd down = led().cwiseMax(0) - pressure_;
@@ -100,7 +102,7 @@ class ActiveSet {
   const InverseOperator& inverse_;
   const MatrixXd& softness_;
   MatrixXd scale_, pressure_, pull_, image_;
-  double remainder_ = 0;
+  double remainder_ = 0, least_remainder_ = std::numeric_limits<double>::infinity();
   int n_iterations_ = 0;
 };
 
