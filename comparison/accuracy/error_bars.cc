@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "comparison/accuracy/fe_readings.h"
+#include "fem/motion/stepped_stiffening.h"
 #include "fem/support/constants.h"
 
 namespace fretval {
@@ -34,6 +35,12 @@ std::map<Resolution, Quantities> readings_of_rings(const Resolution& resolution,
     if (variant.source == ErrorSource::rings)
       readings[variant.resolution] = uncertainties_of_edges(computed.at(variant.resolution), fem);
   return readings;
+}
+
+double share_of(const ErrorBar& bar, ErrorSource source) {
+  const auto found = std::find_if(bar.shares.begin(), bar.shares.end(),
+                                  [source](const ErrorShare& share) { return share.source == source; });
+  return found == bar.shares.end() ? 0 : found->estimate;
 }
 
 /// Widens a bar to a width, by a share of the edge.
@@ -130,12 +137,7 @@ double apart(const Track& track) {
 /// far they are apart.
 void carry_creep(const Track& track, ErrorBudget& budget) {
   if (!needs_of(track.prepared.fem).creep) return;
-  const auto creep_of = [&](Quantity quantity) {
-    const auto& shares = budget.at(quantity).shares;
-    const auto found = std::find_if(shares.begin(), shares.end(),
-                                    [](const ErrorShare& share) { return share.source == ErrorSource::creep; });
-    return found == shares.end() ? 0 : found->estimate;
-  };
+  const auto creep_of = [&](Quantity quantity) { return share_of(budget.at(quantity), ErrorSource::creep); };
   // A difference of two infinite shares would be no number.
   const auto widen_to = [&](Quantity quantity, double other) {
     if (const double own = creep_of(quantity); other > own) budget.at(quantity).add(ErrorSource::creep, other - own);
@@ -169,6 +171,40 @@ void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   if (!discs) return;
   add(Quantity::stick_radius_first_slip, fem::width_of_edge(discs->first_slip_depths, fem.error_of_demand));
   add(Quantity::stick_radius_shakedown, fem::width_of_edge(discs->shakedown_depths, fem.error_of_demand));
+}
+
+/// By which share of their amplitude oscillating forces move the indenter too far or not far enough, as far as the
+/// contact sticks.
+double off_under_forces(const FemCase& fem, const std::vector<fem::Oscillation>& forces) {
+  const double dt = 2 * fem::pi / fem.steps_per_cycle();
+  double largest = 0;
+  for (const auto& force : forces) {
+    const double exact = std::abs(fem::stiffening_at(fem.relaxation, force.order)),
+                 stepped = std::abs(fem::stepped_stiffening_at(fem.relaxation, force.order, dt));
+    largest = std::max(largest, std::abs(exact / stepped - 1));
+  }
+  return largest;
+}
+
+/// Where an indenter follows forces, the error of the steps is known in advance but for what slips. Differences between
+/// numbers of steps may be small by chance where a branch is shorter than a step (stepped_stiffening_at).
+void carry_steps_under_forces(const Track& track, ErrorBudget& budget) {
+  const auto& [prepared, computed, resolution] = track;
+  const auto fem = at_resolution(prepared.fem, resolution);
+  if (fem.motion.path || computed.failed(resolution)) return;
+  const auto widen_to = [&budget](Quantity quantity, double least) {
+    const auto bar = budget.find(quantity);
+    if (bar == budget.end()) return;
+    const double missing = least - share_of(bar->second, ErrorSource::time_step);
+    if (missing > 0) bar->second.add(ErrorSource::time_step, missing);
+  };
+  if (fem.motion.tangential_force)
+    widen_to(Quantity::tangential_amplitude, off_under_forces(fem, fem.motion.tangential));
+  if (fem.motion.normal_force) {
+    const auto& depths = computed.at(resolution).fe.normal.indentation;
+    const double oscillates = (depths.maxCoeff() - depths.minCoeff()) / 2 / depths.maxCoeff();
+    widen_to(Quantity::indentation_max, oscillates * off_under_forces(fem, fem.motion.normal));
+  }
 }
 
 /// The rings of a worn profile that stick are counted. Where the slip inside its stick radius is no more than its own
@@ -282,7 +318,10 @@ ErrorBudget error_bars(const PreparedCase& prepared, const Tracks& tracks, const
                              uncertainties_of_edges(computed.at(resolution), prepared.fem), needs,
                              readings_of_rings(resolution, needs, computed, prepared.fem));
     carry_calibration(prepared.fem, computed.at(resolution), bars);
-    if (shares != BarShares::of_rings) carry_single_steps(prepared.fem, computed.at(resolution), bars);
+    if (shares != BarShares::of_rings) {
+      carry_steps_under_forces(track, bars);
+      carry_single_steps(prepared.fem, computed.at(resolution), bars);
+    }
     if (prepared.fem.kind == ContactKind::discs || prepared.fem.kind == ContactKind::worn) {
       carry_near_cycle(track, bars);
       carry_to_stick_radii(track, borders, bars);

@@ -206,7 +206,7 @@ void InverseOperator::apply(const Eigen::MatrixXd& field, Eigen::MatrixXd& resul
   const Index n = field.rows();
   Eigen::MatrixXf single = (field / size).cast<float>(), amplitudes(n_rings_, fields_.n_amplitudes()),
                   solved(n_rings_, fields_.n_amplitudes());
-  fields_.amplitudes_of(single, amplitudes.topRows(n));
+  fields_.amplitudes_of(std::move(single), amplitudes.topRows(n));
   amplitudes.bottomRows(n_rings_ - n).setZero();
   multiply_blocks(blocks_, amplitudes, solved);
   fields_.field_of(solved.topRows(n), single);

@@ -15,8 +15,7 @@ namespace fretval::fem {
 struct OrderBlock {
   Eigen::Index first, n_components;  ///< of the amplitudes
   SharedMatrix matrix;
-  Eigen::Index to_copy =
-      0;  ///< number of amplitudes from the first one to the first of the other parity, 0: it has none
+  Eigen::Index to_copy = 0;  ///< from its first amplitude to the first of the other parity; 0: there is none
 
   [[nodiscard]] Eigen::Index n_copies() const { return to_copy == 0 ? 1 : 2; }
 };
