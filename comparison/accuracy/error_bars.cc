@@ -200,8 +200,8 @@ void carry_steps_under_forces(const Track& track, ErrorBudget& budget) {
   };
   if (fem.motion.tangential_force)
     widen_to(Quantity::tangential_amplitude, off_under_forces(fem, fem.motion.tangential));
-  if (fem.motion.normal_force) {
-    const auto& depths = computed.at(resolution).fe.normal.indentation;
+  const auto& depths = computed.at(resolution).fe.normal.indentation;
+  if (fem.motion.normal_force && depths.size() > 0) {
     const double oscillates = (depths.maxCoeff() - depths.minCoeff()) / 2 / depths.maxCoeff();
     widen_to(Quantity::indentation_max, oscillates * off_under_forces(fem, fem.motion.normal));
   }

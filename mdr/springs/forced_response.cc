@@ -65,6 +65,21 @@ ForcedResponse response_of(const ContactRadius& radius_at, double mu, const Spri
           history.tangential_work};
 }
 
+// Share of the contact radius a, next to it, in which g is above a depth. g goes straight there.
+double share_above(double depth, double a, double deepest, const std::function<double(double)>& g) {
+  constexpr double beside = 0.01;  // of the radius
+  return beside * (deepest - depth) / (g(a) - g((1 - beside) * a));
+}
+
+// Share of the tangential force that a spring at the edge makes which sticks as a whole or not at all, where the ring
+// around the stick zone is narrower than a spring: sums over springs are of first order then, and go to and fro.
+double unseen_slip(const ForcedResponse& response, const std::function<double(double)>& g, Eigen::Index n_springs) {
+  const auto n = static_cast<double>(n_springs);
+  const double ring =
+      share_above(response.depths.shakedown, response.normal.contact_radius_max, response.largest_indentation, g);
+  return ring * n < 1 ? 1 / n : 0;
+}
+
 // Share of the contact radius within which springs let go of the indenter for a part of each period, because the
 // dashpot would hold them back, where that is less than a spring: no sum over springs sees what they do not lose. They
 // are those whose load would fall below 0, by the rate and by what the branches pull at most.
@@ -78,8 +93,7 @@ double unseen_edge(const NormalResponse& normal, const PronyBody& body, const st
   double lowest = *shallowest;
   for (std::size_t k = 0; k < n; ++k) lowest = std::min(lowest, d[k] + viscous * (d[k + 1] - d[(k + n - 1) % n]));
   for (const double modulus : body.branch_moduli) lowest -= modulus / body.relaxed_modulus * (*deepest - *shallowest);
-  constexpr double beside = 0.01;  // of the radius
-  const double a = normal.contact_radius_max, share = beside * (*deepest - lowest) / (g(a) - g((1 - beside) * a));
+  const double share = share_above(lowest, normal.contact_radius_max, *deepest, g);
   return share * static_cast<double>(n_springs) < 1 ? share : 0;
 }
 
@@ -118,6 +132,10 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   extrapolate([](auto& r) -> auto& { return r.friction_work; });
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
   extrapolate([](auto& r) -> auto& { return r.tangential_work; });
+  const double slip = unseen_slip(stepped.response, g, 2 * fineness.n_springs);
+  stepped.error.tangential_amplitude += slip * stepped.response.tangential_amplitude;
+  stepped.error.tangential_force_max += slip * stepped.response.tangential_force_max;
+  stepped.error.tangential_force_mean += slip * stepped.response.tangential_force_max;
   stepped.error.bulk_work +=
       stepped.response.bulk_work * unseen_edge(stepped.response.normal, body, g, 2 * fineness.n_springs);
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))

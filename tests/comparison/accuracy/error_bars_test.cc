@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "fem/motion/stepped_stiffening.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 #include "tests/comparison/fake_numerics.h"
@@ -37,6 +38,38 @@ TEST(ErrorBars, KnowWhatMovesTheIndenterStepByStep) {
   EXPECT_TRUE(needs_of(force).moves_by_steps);
   path.motion.path = fem::SampledPath{{0, 3, 2 * fem::pi}, {1, 1.2, 1}, {0, 0.1, 0}, 1, 0, true};
   EXPECT_TRUE(needs_of(path).moves_by_steps);
+}
+
+// Branches of 1/252 and 1/158 of a period: what steps make of an oscillating force is known where all steps say the
+// same.
+TEST(ErrorBars, UnderForcesKnowWhatStepsMakeOfShortBranches) {
+  auto prepared = prepared_of("parabola-solid-90");
+  auto& fem = prepared.fem;
+  fem.relaxation = {1, {16, 4.5}, {2 * fem::pi / 252, 2 * fem::pi / 158}, 0};
+  fem.resolution.steps_per_cycle = 32;
+  const auto width = [&](Quantity quantity) {
+    Tracks tracks{fem.resolution, {}};
+    const auto compute = [&](const Resolution& r) {
+      auto answer = FakeNumerics{0, 0}(fem, r);
+      answer.indentation_max = fem.units.depth;
+      answer.tangential_amplitude = fem.units.depth;
+      answer.normal.indentation = Eigen::Vector3d(1, 0.75, 0.5);
+      return answer;
+    };
+    Computations computed(fem.units, compute, 1);
+    computed.compute(needed_for_bars(tracks, needs_of(fem)));
+    const auto bars = error_bars(prepared, tracks, computed, Borders::left_out);
+    return bars.count(quantity) == 0 ? -1 : bars.at(quantity).total();
+  };
+  EXPECT_LT(width(Quantity::tangential_amplitude), 1e-6);
+  EXPECT_LT(width(Quantity::indentation_max), 1e-6);
+  fem.motion.tangential_force = fem.motion.normal_force = true;
+  const double off = std::abs(std::abs(fem::stiffening_at(fem.relaxation, 1)) /
+                                  std::abs(fem::stepped_stiffening_at(fem.relaxation, 1, 2 * fem::pi / 32)) -
+                              1);
+  EXPECT_GT(off, 4e-3);
+  EXPECT_NEAR(width(Quantity::tangential_amplitude), off, 1e-6);
+  EXPECT_NEAR(width(Quantity::indentation_max), off / 4, 1e-6);  // a quarter of it oscillates
 }
 
 TEST(ErrorBars, KnowAMotionWithoutAPeriod) {

@@ -48,6 +48,19 @@ TEST(ForcedResponse, SlidesLikeCattaneoAndMindlin) {
   }
 }
 
+// Cattaneo and Mindlin again, with rings that slip from twice to a fiftieth of a spring wide.
+TEST(ForcedResponse, KnowsThatItsSpringsDoNotSeeANarrowRingThatSlips) {
+  for (const double share : {0.01, 0.003, 0.001, 1e-4}) {
+    Prescribed prescribed = both_forces(0);
+    prescribed.motion.normal[0].amplitude = 0;
+    const double force = prescribed.motion.tangential[0].amplitude = share * mu * mean;
+    const auto [response, error] = forced_response(profiles[0], elastic(1e6), mu, prescribed);
+    const double exact = tangential_displacement_for_force(profiles[0], 1e6, mu, mean, force);
+    EXPECT_LT(std::abs(response.tangential_amplitude - exact), error.tangential_amplitude) << share;
+    EXPECT_LT(error.tangential_amplitude, 5e-3 * exact) << share;
+  }
+}
+
 // The closed form of the worn contact is that of the unworn one, whatever the body: g(c) with
 // N(g(c)) = F0 - (|F_x/mu e^(i phase) - F1| + |F_x/mu e^(i phase) + F1|)/2. With a dashpot 4e-4 of c at worst, the
 // others 1e-6; the error says so.
