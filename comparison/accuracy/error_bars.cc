@@ -173,15 +173,15 @@ void carry_near_cycle(const Track& track, ErrorBudget& budget) {
   add(Quantity::stick_radius_shakedown, fem::width_of_edge(discs->shakedown_depths, fem.error_of_demand));
 }
 
-/// By which share of their amplitude oscillating forces move the indenter too far or not far enough, as far as the
-/// contact sticks.
+/// By which share of their amplitude, or by which angle, steps put off what oscillating forces move the indenter by, as
+/// far as the contact sticks.
 double off_under_forces(const FemCase& fem, const std::vector<fem::Oscillation>& forces) {
   const double dt = 2 * fem::pi / fem.steps_per_cycle();
   double largest = 0;
   for (const auto& force : forces) {
-    const double exact = std::abs(fem::stiffening_at(fem.relaxation, force.order)),
-                 stepped = std::abs(fem::stepped_stiffening_at(fem.relaxation, force.order, dt));
-    largest = std::max(largest, std::abs(exact / stepped - 1));
+    const auto exact = fem::stiffening_at(fem.relaxation, force.order),
+               stepped = fem::stepped_stiffening_at(fem.relaxation, force.order, dt);
+    largest = std::max(largest, std::abs(exact / stepped - 1.0));
   }
   return largest;
 }
@@ -203,7 +203,8 @@ void carry_steps_under_forces(const Track& track, ErrorBudget& budget) {
   const auto& depths = computed.at(resolution).fe.normal.indentation;
   if (fem.motion.normal_force && depths.size() > 0) {
     const double oscillates = (depths.maxCoeff() - depths.minCoeff()) / 2 / depths.maxCoeff();
-    widen_to(Quantity::indentation_max, oscillates * off_under_forces(fem, fem.motion.normal));
+    for (const auto quantity : {Quantity::indentation_max, Quantity::contact_radius_max})
+      widen_to(quantity, oscillates * off_under_forces(fem, fem.motion.normal));
   }
 }
 
