@@ -316,5 +316,26 @@ TEST(ErrorBars, OfNoFirstSlipZoneReachToTheShakedownRadiusWhereThePhaseDrifts) {
   EXPECT_LT(bar("parabola-elastic-90"), 0.1);
 }
 
+// What is known of the shakedown radius no better is part of how far the first-slip radius may be off.
+TEST(ErrorBars, OfNoFirstSlipZoneReachBeyondTheShakedownRadiusByItsBar) {
+  const auto prepared = prepared_of("parabola-elastic-free");
+  const FakeNumerics no_first_slip{30, 2, 0, 0.3};
+  const auto bars = bars_of(prepared, no_first_slip, Borders::carried);
+  const double shakedown_bar = bars.at(shakedown_radius).total();
+  ASSERT_GT(shakedown_bar, 1e-5);
+  EXPECT_NEAR(bars.at(first_slip_radius).total(), 0.3 + no_first_slip.error(prepared.fem.resolution) + shakedown_bar,
+              1e-12);
+}
+
+// Differences between resolutions compare steps of one and two.
+TEST(ErrorBars, KnowABranchThatRelaxesWithinTwoSteps) {
+  auto fem = prepared_of("parabola-solid-90").fem;
+  const double step = 2 * fem::pi / fem.steps_per_cycle();
+  fem.relaxation.times = {2.1 * step};
+  EXPECT_FALSE(needs_of(fem).has_short_branch);
+  fem.relaxation.times = {2.1 * step, 1.5 * step};
+  EXPECT_TRUE(needs_of(fem).has_short_branch);
+}
+
 }  // namespace
 }  // namespace fretval

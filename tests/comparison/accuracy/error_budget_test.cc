@@ -350,5 +350,27 @@ TEST(ErrorBudget, IsInfiniteWhereTheCoarsestHasNoValue) {
             std::numeric_limits<double>::infinity());
 }
 
+// Errors fall at least with the first power of the cells: of h and h/2 the difference is half of the error.
+TEST(ErrorBudget, OfAGivenMeshIsTwiceTheDifferenceFromItsCellsSplit) {
+  auto given = resolution_for(1e-3);
+  given.mesh_refinements = 0;
+  auto finer = given;
+  finer.mesh_refinements = 1;
+  const auto change = [](const Resolution&, const Resolution&) { return -1e-3; };
+  EXPECT_NEAR(
+      error_bar(Quantity::normal_force_max, {{ErrorSource::grading, finer, given}}, change, CaseNeeds()).total(), 2e-3,
+      1e-15);
+}
+
+// The edge of the contact is read between two steps, that of a stick zone between two rings.
+TEST(ErrorBudget, CountsTheReadingOfTheContactRadiusToTheSteps) {
+  const auto resolution = resolution_for(1e-3);
+  const Quantities values{{Quantity::contact_radius_max, 1}, {Quantity::stick_radius_shakedown, 0.5}},
+      readings{{Quantity::contact_radius_max, 1e-3}, {Quantity::stick_radius_shakedown, 1e-3}};
+  const auto budget = error_budget(resolution, std::vector<Variant>{}, {{resolution, values}}, readings, CaseNeeds());
+  EXPECT_EQ(budget.at(Quantity::contact_radius_max).largest()->source, ErrorSource::time_step);
+  EXPECT_EQ(budget.at(Quantity::stick_radius_shakedown).largest()->source, ErrorSource::edge);
+}
+
 }  // namespace
 }  // namespace fretval

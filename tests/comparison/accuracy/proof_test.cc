@@ -244,5 +244,22 @@ TEST(Proof, KeepsRingsAndStepsThatTheCaseFixes) {
   EXPECT_GT(result.budget.at(Quantity::stick_radius_shakedown).total(), 1e-3);
 }
 
+// Two rings of the base stick at first; how well the edge is read is what the finer rings know.
+TEST(Proof, TakesAFocusedRadiusWithTheUncertaintyOfItsReading) {
+  const auto prepared = prepare({suite_case("parabola-elastic-90", 1e-3)}).front();
+  const double length = prepared.fem.units.length;
+  const FakeNumerics numerics{0, 0, 0.02, 0.5};
+  const auto answer = prove(prepared, Proof::tolerance, {[&](const Resolution& r) {
+                              auto one = numerics(prepared.fem, r);
+                              one.first_slip_uncertainty = (r.focus ? 1e-6 : 1e-2) * length;
+                              one.shakedown_uncertainty = 2e-6 * length;
+                              return one;
+                            }});
+  ASSERT_EQ(answer.failure, "");
+  ASSERT_EQ(answer.focus.count(Quantity::stick_radius_first_slip), 1U);
+  EXPECT_NEAR(answer.fe.first_slip_uncertainty, 1e-6 * length, 1e-15);
+  EXPECT_NEAR(answer.fe.shakedown_uncertainty, 2e-6 * length, 1e-15);
+}
+
 }  // namespace
 }  // namespace fretval

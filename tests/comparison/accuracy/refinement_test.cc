@@ -200,5 +200,11 @@ TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
   EXPECT_TRUE(refined(start, ErrorSource::edge) == refined(start, ErrorSource::rings));
 }
 
+// A plan takes a tenth of that share to be left.
+TEST(Refined, SettlesTenTimesFurther) {
+  const auto start = resolution_for(1e-3);
+  EXPECT_NEAR(refined(start, ErrorSource::cycles)->periodicity / start.periodicity, 0.1, 1e-12);
+}
+
 }  // namespace
 }  // namespace fretval

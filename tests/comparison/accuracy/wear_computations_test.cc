@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "comparison/accuracy/refinement.h"
@@ -46,6 +47,29 @@ TEST(WearComputations, TellTheShareThatIsDoneAndTheDistanceToTheLimit) {
     EXPECT_EQ(distances.back(), distances_of(fe, prepared.fem.units, limits.shakedown).back());
   }
   EXPECT_EQ(computed.all.size(), 2u);
+}
+
+// Over rings of equal areas s = r^2 a depth of 1 + s^2 has means of a twelfth of the squared area more than at their
+// centres; the first and the last one are left as they are.
+TEST(WearComputations, HaveTheDepthAtTheCentreOfARing) {
+  constexpr int n = 10;
+  constexpr double area = 0.1;
+  WearSimulation wear;
+  wear.centre.resize(n);
+  wear.unworn = Eigen::VectorXd::Constant(n, 0.5);
+  Eigen::VectorXd means(n), there(n);
+  wear.radii = {0};
+  for (int i = 0; i < n; ++i) {
+    const double middle = (i + 0.5) * area;
+    wear.radii.push_back(std::sqrt((i + 1) * area));
+    wear.centre[i] = std::sqrt(middle);
+    there[i] = 1 + middle * middle;
+    means[i] = there[i] + area * area / 12;
+  }
+  const auto chain = chain_of(wear, means, 2);
+  ASSERT_EQ(chain.size(), 10U);
+  for (int i = 1; i + 1 < n; ++i) EXPECT_NEAR(chain[static_cast<std::size_t>(i)].y(), 2 * (0.5 + there[i]), 1e-12) << i;
+  for (const int i : {0, n - 1}) EXPECT_NEAR(chain[static_cast<std::size_t>(i)].y(), 2 * (0.5 + means[i]), 1e-12) << i;
 }
 
 TEST(WearComputations, FailuresOfTheNumericsArePartOfTheAnswer) {

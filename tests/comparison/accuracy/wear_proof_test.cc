@@ -43,8 +43,9 @@ TEST(WearProof, EndsInTheLimit) {
 // Wear that is left while it still goes on has a bar for what is left: without it, what lacks would be no error.
 TEST(WearProof, StoppingIsPartOfTheBar) {
   const auto text = wearing_text("  set Coefficient = 1e-12\n  set Until = 1e-4\n");
-  const auto wear = proved(
-      prepared_case(replace(text, "Tolerance = 1e-3", "Tolerance = 1e-3\n  set Rings per radius = 16")), Proof::bars);
+  const auto prepared =
+      prepared_case(replace(text, "Tolerance = 1e-3", "Tolerance = 1e-3\n  set Rings per radius = 16"));
+  const auto wear = proved(prepared, Proof::bars);
   ASSERT_EQ(wear.failure, "");
   ASSERT_EQ(wear.fe.course.end, fem::WearEnd::rate);
   ASSERT_TRUE(wear.ends_in_limit());
@@ -53,6 +54,11 @@ TEST(WearProof, StoppingIsPartOfTheBar) {
                                   [](const ErrorShare& s) { return s.source == ErrorSource::cycles; });
   ASSERT_NE(share, volume.bar->shares.end());
   EXPECT_GT(share->estimate, 1e-5);
+  // As many further cycles at the rate of the last jump.
+  const auto &last = wear.fe.course.curve.back(), &before = *(wear.fe.course.curve.end() - 2);
+  const double rate = (last.volume - before.volume) / (last.cycles - before.cycles);
+  EXPECT_NEAR(share->estimate, rate * last.cycles * prepared.fem.units.volume() / wear.limits.shakedown.volume,
+              1e-9 * share->estimate);
   EXPECT_LT(std::abs(volume.difference.value()), volume.bar->total());
 }
 

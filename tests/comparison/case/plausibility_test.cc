@@ -133,5 +133,24 @@ TEST(Plausibility, AFirstRowThatIsOffIsWarnedAbout) {
   expect_parts(all, {"rows.csv: d = 0.000105 m in the first row is 5e-06 m off"});
 }
 
+// At the deepest all harmonics of the normal motion are at their largest: 100 + 20 + 30 um into a parabola of 12.7 m.
+TEST(Plausibility, TakesTheLargestIndentationOfAllHarmonics) {
+  auto scene = read_case(replace(valid_case, "Radius = 1e-2", "Radius = 12.7"));
+  scene.motion.normal_harmonics = {{3e-5, 2, 0}};
+  std::string all;
+  for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning;
+  expect_parts(all, {"at the largest indentation, 0.00015 m"});
+}
+
+TEST(Plausibility, BranchesThatNoTestSeesRelaxAreWarnedAboutFromTheFastestToTheSlowest) {
+  auto scene = read_case();
+  scene.elastomer.rheology = Case::Rheology::prony;
+  scene.elastomer.branch_moduli = {1e5, 1e5, 1e5, 1e5};
+  scene.elastomer.branch_times = {1e11, 0.1, 1e9, 1e10};
+  std::string all;
+  for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning;
+  expect_parts(all, {"3 of 4 branches relax more slowly", "in 1e+09 s to 1e+11 s"});
+}
+
 }  // namespace
 }  // namespace fretval

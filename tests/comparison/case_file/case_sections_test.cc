@@ -1,6 +1,9 @@
 #include "comparison/case_file/case_sections.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/modulus_table.h"
@@ -254,6 +257,20 @@ TEST(CaseSections, TheContactOnRingsAndAnglesIsAskedFor) {
                {"Contact / Coupling", "Friction = vector"});
   expect_parts(refusal([] { read_case(with_contact("set Friction = both")); }),
                {"Contact / Friction = both", "vector"});
+}
+
+// An eighth of the tolerance of the case, 0.05, goes to a record: 0.00625 of its largest indentation, 110 um.
+TEST(CaseSections, ARecordIsReducedToAnEighthOfTheToleranceOfTheCase) {
+  std::string rows = "t [ms],d [um],u_x [um]\n";
+  for (int i = 0; i <= 3000; ++i)
+    rows += fmt::format("{},{:.9f},{:.9f}\n", i, 100 + 10 * std::cos(2 * M_PI * i / 3000),
+                        5 * std::cos(2 * M_PI * i / 3000));
+  const ScratchFolder folder;
+  const auto file = folder.write("path.csv", rows);
+  const auto path = motion("set Path = " + file.string() + "\nset Path repeats = forever").path;
+  ASSERT_TRUE(path && path->reduction);
+  EXPECT_LE(path->reduction->normal_error, 0.00625 * 110e-6);
+  EXPECT_LE(path->reduction->tangential_error, 0.00625 * 5e-6);
 }
 
 }  // namespace

@@ -54,5 +54,11 @@ TEST(NewCase, RefusesWhatThereIsNot) {
                {"--rheology elastc", "did you mean elastic?"});
 }
 
+// At 1 Hz omega tau is 0.2 pi: G' = 1 + 0.3948/1.3948 and G'' = 0.6283/1.3948 MPa.
+TEST(NewCase, HasAModulusTableOfTheStandardSolid) {
+  expect_parts(new_case_files("mine", {"parabola", "table"}).at("mine-moduli.csv"),
+               {"f,G',G''\nHz,MPa,MPa\n", "\n1,1.28304", ",0.450477"});
+}
+
 }  // namespace
 }  // namespace fretval::new_case_test

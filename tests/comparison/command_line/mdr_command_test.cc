@@ -6,6 +6,7 @@
 #include "comparison/reference/mdr_document.h"
 #include "comparison/results/unit_text.h"
 #include "tests/comparison/expect_parts.h"
+#include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 
@@ -130,6 +131,30 @@ TEST(MdrCommand, AnswersASweepWithAListAndHasNoFieldsOfIt) {
   const auto fields = fretval_run("mdr " + file.string() + " --fields " + (folder.path() / "f.csv").string(), folder);
   EXPECT_EQ(fields.exit_code, 2);
   EXPECT_NE(fields.err.find("a sweep has many fields"), std::string::npos) << fields.err;
+}
+
+// What the document has as a share.
+TEST(MdrCommand, PrintsTheMisfitOfAPronyFitInPercent) {
+  const ScratchFolder folder;
+  folder.write("dma.csv", standard_solid_table(1.3));
+  const auto begin = valid_case.find("subsection Elastomer"), end = valid_case.find("end\n", begin);
+  const auto file = folder.write("case.prm", valid_case.substr(0, begin) +
+                                                 "subsection Elastomer\n  set Rheology = table\n  set Table = dma.csv\n"
+                                                 "  set Table modulus = shear\n" +
+                                                 valid_case.substr(end));
+  const auto text = fretval_run("mdr " + quoted(file), folder),
+             json = fretval_run("mdr --json " + quoted(file), folder);
+  ASSERT_EQ(text.exit_code, 0) << text.err;
+  const auto fit = nlohmann::json::parse(json.out).at("elastomer");
+  const double misfit = fit.at("residual"), held_out = fit.at("held_out");
+  EXPECT_GT(misfit, 1e-2);
+  const auto printed = [&](const std::string& what) {
+    const auto at = text.out.find("Prony fit: " + what);
+    EXPECT_NE(at, std::string::npos) << text.out;
+    return std::stod(text.out.substr(text.out.find_first_of("0123456789", at)));
+  };
+  EXPECT_NEAR(printed("misfit"), 100 * misfit, 5 * misfit);
+  EXPECT_NEAR(printed("held out"), 100 * held_out, 5 * held_out);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "tests/comparison/read_case.h"
 #include "tests/comparison/run_fretval.h"
 #include "tests/comparison/shown.h"
+#include "tests/comparison/stored_result.h"
 
 namespace fretval {
 namespace {
@@ -299,6 +300,22 @@ TEST(OutputFile, HasAFolderToLieInAndIsNone) {
   prepare_output_file("--map", "map.csv");
   expect_parts(refusal([&] { prepare_output_file("--map", folder.path().string()); }),
                {"is a folder", "--map expects"});
+}
+
+// Nothing is held to a baseline that does not have it, and that is said.
+TEST(RunCommand, WarnsOfCasesThatABaselineDoesNotHave) {
+  const ScratchFolder folder;
+  auto kept = stored_result("single");
+  kept["name"] = "case";
+  fs::create_directories(folder.path() / "old/case");
+  folder.write("old/case/result.json", kept.dump());
+  const auto both =
+      quoted(folder.write("case.prm", elastic_case())) + " " + quoted(folder.write("another.prm", elastic_case()));
+  const auto old = folder.path() / "old";
+  const auto run = fretval_run(
+      "run " + both + " --proof none -o " + quoted(folder.path() / "out") + " --baseline " + quoted(old), folder);
+  expect_parts(run.err, {"--baseline " + old.string() + ": has no another"});
+  EXPECT_EQ(run.err.find("has no case"), std::string::npos) << run.err;
 }
 
 }  // namespace

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -104,6 +105,14 @@ TEST_F(StoreCommand, AFileInPlaceOfTheFolderIsNoStore) {
   result_of_run(own() + " --proof none");
   expect_parts(log_, {"the store of operators is not written to", "--no-store"});
   EXPECT_EQ(store("list").exit_code, 4);
+}
+
+TEST_F(StoreCommand, AddsUpTheSizesOfAllOperators) {
+  for (const int n : {8, 16, 40}) OperatorStore(folder_).keep(made_up_operator(fmt::format("of {}\nrings\n", n), n));
+  std::uintmax_t bytes = 0;
+  for (const auto& entry : fs::directory_iterator(folder_))
+    if (entry.path().extension() == entries_of(folder_).front().file.extension()) bytes += fs::file_size(entry.path());
+  expect_parts(store("").out, {fmt::format("3 operators, {:.1f} KiB of", static_cast<double>(bytes) / 1024)});
 }
 
 }  // namespace

@@ -41,6 +41,13 @@ TEST(AlignedTrace, IsTheSphereThatWasTraced) {
             true);
 }
 
+// A trace that lies elsewhere is as noisy as the case says.
+TEST(AlignedTrace, KeepsItsNoiseInItsNeighbours) {
+  const ScratchFolder folder;
+  const auto trace = read_aligned_trace(folder.write("trace.csv", raw_trace()).string(), 40e-9);
+  for (const int side : {-1, 1}) EXPECT_DOUBLE_EQ(neighbour_of(trace, side).row_noise, trace.row_noise);
+}
+
 // Each place is met three times, by heights 0, 1 and 5 um above the parabola.
 TEST(AlignedTrace, TakesTheMeanOfTheRowsOfAPlace) {
   std::string text = "x,z\nmm,um\n";
@@ -80,6 +87,8 @@ TEST(AlignedTrace, StandsInTheCase) {
     EXPECT_NEAR(mdr::inverse_transform(profile, depth), a, 3 * off + 3e-4 * a);
   }
   expect_parts(input.notes.at(1), {"trace.csv: aligned: apex at 0.0001399", "heights upwards"});
+  const auto& note = input.notes.at(1);
+  EXPECT_NEAR(std::stod(note.substr(note.find("tilt ") + 5)), 0.2, 0.01) << "degrees";
 }
 
 TEST(AlignedTrace, IsNotTakenAsItIs) {

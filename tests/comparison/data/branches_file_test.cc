@@ -111,5 +111,12 @@ TEST(BranchesFile, AHardnessTellsTheModulusByGent) {
                {"Relaxed shear modulus = 1e6", "the hardness Shore A tells it"});
 }
 
+// Columns may be of E by their names and of G by the case: 12 MPa at once, of which a quarter is left.
+TEST(BranchesFile, TakesAColumnOfTheModulusAtOnceForWhatTheCaseSays) {
+  const std::string text = "i,tau_i,alpha_i,E_0\n-,s,-,MPa\n1,0.1,0.5,12\n2,10,0.25,12\n";
+  EXPECT_NEAR(body_of(text, 0, false).relaxed_modulus, 3e6, 1e-3);
+  EXPECT_NEAR(body_of(text, 0, true).relaxed_modulus, 1e6, 1e-3);
+}
+
 }  // namespace
 }  // namespace fretval::branches_file_test

@@ -135,5 +135,24 @@ TEST(MasterCurve, RefusesATableByItsName) {
   expect_parts(refusal([] { fit_of("1,1e6,1e5\n2,1e6,1e5\n"); }), {"dma.csv: "});
 }
 
+// The slope of the loss is that of a decade, whatever the first rows scatter: of f^(1/2) from 1 to 16 Hz, so that
+// G'(0) is 2/pi of G'' over 1/2 below.
+TEST(MasterCurve, TakesTheSlopeOfTheLossFromADecade) {
+  Case::MasterCurve data;
+  data.frequency = {1, 2, 4, 8, 16, 32};
+  data.storage = {1e6, 1.1e6, 1.2e6, 1.3e6, 1.4e6, 1.5e6};
+  data.loss = {2e5, 4e5, 8e5, 8e5, 8e5, 8e5};
+  const auto range = extrapolated_range(data, 0.95e6);
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->least, 1e6 - 2 / M_PI * 2e5 / 0.5, 1);
+}
+
+TEST(MasterCurve, SaysInPercentHowMuchItsModuliContradictEachOther) {
+  const auto [elastomer, warnings] = fit_of(standard_solid_table(2));
+  const double worst = elastomer.master_curve->kramers_kronig.value().worst;
+  EXPECT_GT(std::abs(worst), 0.1);
+  expect_parts(warnings, {fmt::format("Hz by {:.0f} %; no linear viscoelastic body", 100 * worst)});
+}
+
 }  // namespace
 }  // namespace fretval

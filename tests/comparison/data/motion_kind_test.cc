@@ -35,7 +35,11 @@ TEST(MotionKind, TakesTheStickRadiiAwayThatItDoesNotHave) {
 
 // Of a pass nobody tells what the body has kept; stick radii that it does not have say why.
 TEST(MotionKind, LeavesReadingsOutThatAPassDoesNotHave) {
-  const Readings all{{first_slip, {1}}, {shakedown, {1}}, {Quantity::bulk_work, {1}}, {Quantity::friction_work, {1}}};
+  const Readings all{{first_slip, {1}},
+                     {shakedown, {1}},
+                     {Quantity::bulk_work, {1}},
+                     {Quantity::friction_work, {1}},
+                     {Quantity::worn_radius, {1}}};
   auto cycles = all, pass = all, from_touch = all;
   keep_to(MotionKind::cycles, cycles);
   EXPECT_EQ(cycles.size(), all.size());
@@ -44,8 +48,10 @@ TEST(MotionKind, LeavesReadingsOutThatAPassDoesNotHave) {
   EXPECT_EQ(pass.size(), all.size() - 1);
   EXPECT_EQ(pass.count(Quantity::bulk_work), 0U);
   EXPECT_EQ(pass.at(first_slip).value, 1);
-  EXPECT_FALSE(pass.at(shakedown).value || pass.at(shakedown).is_compared);
-  EXPECT_EQ(pass.at(shakedown).why_absent, "a single pass has no periodic state");
+  for (const auto quantity : {shakedown, Quantity::worn_radius}) {
+    EXPECT_FALSE(pass.at(quantity).value || pass.at(quantity).is_compared);
+    EXPECT_EQ(pass.at(quantity).why_absent, "a single pass has no periodic state");
+  }
   keep_to(MotionKind::pass_from_touch, from_touch);
   EXPECT_FALSE(from_touch.at(first_slip).value || from_touch.at(first_slip).is_compared);
   EXPECT_EQ(from_touch.at(first_slip).why_absent, nothing_at_rest);

@@ -156,5 +156,40 @@ TEST(Record, ThatHardlyJumpsIsClosedByARamp) {
   expect_parts(notes.at(0), {"closed by a ramp"});
 }
 
+// Between rows of -5 and 15 um it touches after a quarter of the way, in u_x as in t.
+TEST(Record, BeginsWhereTheIndenterIsAsItTouches) {
+  std::vector<std::string> notes;
+  const auto path = path_of_record(
+      {{{0, 1, 2, 3, 4}, {-1e-5, -5e-6, 1.5e-5, 2e-5, 2e-5}, {0, 1e-6, 5e-6, 6e-6, 6e-6}, false}, "press.csv"}, {},
+      notes);
+  ASSERT_EQ(path.time.size(), 4U);
+  EXPECT_NEAR(path.time.front(), 1.25, 1e-12);
+  EXPECT_NEAR(path.tangential.front(), 2e-6, 1e-18);
+}
+
+// The ramp begins with the record, whenever that is: after a third of the time a third of the jump is taken off.
+TEST(Record, IsClosedByARampOverItsOwnTime) {
+  std::vector<std::string> notes;
+  const auto closed = path_of_record(
+      {{{10, 11, 12, 13}, {1e-4, 1.2e-4, 0.9e-4, 1.003e-4}, {0, 1e-6, -1e-6, 0}, true}, "rig.csv"}, {}, notes);
+  EXPECT_NEAR(closed.normal[0], 1e-4, 1e-16);
+  EXPECT_NEAR(closed.normal[1], 1.2e-4 - 1e-7, 1e-16);
+  EXPECT_NEAR(closed.normal[2], 0.9e-4 - 2e-7, 1e-16);
+}
+
+// A jump of 0.1 um, and rows left out within 1 nm.
+TEST(Record, ThatIsClosedAndReducedIsOffByBoth) {
+  auto rig = record(1, 1000, 0, true);
+  rig.normal.back() += 1e-7;
+  PathTolerance tolerance;
+  tolerance.is_given = true;
+  tolerance.length = 1e-9;
+  std::vector<std::string> notes;
+  const auto path = path_of_record(rig, tolerance, notes);
+  ASSERT_TRUE(path.reduction);
+  EXPECT_GE(path.reduction->normal_error, 1e-7 * (1 - 1e-9));
+  EXPECT_LE(path.reduction->normal_error, 1e-7 + 1e-9);
+}
+
 }  // namespace
 }  // namespace fretval::record_test

@@ -83,5 +83,17 @@ TEST(Hatching, IsNearPointsThatAreNotKnownToATenth) {
       << "the lowest line decides";
 }
 
+// Where MDR has the radius too small, a bar of a twentieth of that is no wide one either.
+TEST(Hatching, OfErrorsOfEitherSignIsNearWideBarsAlone) {
+  for (const double sign : {1, -1}) {
+    auto points = made_up_map();
+    for (auto& point : points) {
+      auto& change = point.changes.begin()->second;
+      change = {sign * change.value, 0.05 * std::abs(change.value)};
+    }
+    EXPECT_TRUE(map_lines(points, MapKind::phase, Quantity::stick_radius_shakedown, {}).hatching.x.empty()) << sign;
+  }
+}
+
 }  // namespace
 }  // namespace fretval::level_lines_test

@@ -49,6 +49,31 @@ TEST(Report, ComparesRheologiesByTheirLargestDifferences) {
                          "<td>standard solid</td><td>1.359827</td><td>2</td>", "<td>3.5e-04</td><td>up to 77</td>"});
 }
 
+// Cases under forces do not stand beside those under displacements.
+TEST(Report, ComparesRheologiesUnderDisplacementsByTheMostCycles) {
+  auto solid = stored_result(), other_phase = stored_result(), creeping = stored_result();
+  solid["cost"]["cycles"] = 90;
+  other_phase["scene"]["sweep"]["value"] = 90;
+  other_phase["cost"]["cycles"] = 50;
+  creeping["scene"]["rheology"] = "Kelvin-Voigt";
+  const auto page = page_of({solid, other_phase, creeping});
+  expect_parts(page.substr(std::min(page.find(heading), page.size())), {"<td>up to 90</td>"});
+  creeping["scene"]["tangential_force_amplitude"] = 0.5;
+  EXPECT_EQ(page_of({solid, other_phase, creeping}).find(heading), std::string::npos);
+}
+
+// Over a = 2 m: 1.5 m is 0.1 a from 1.3 m and 0.5 a from 0.5 m, and 1 m is 0.25 a from 0.5 m.
+TEST(Report, HoldsTheZoneThatHasNeverSlippedToTheFirstSlipRadius) {
+  auto json = stored_result();
+  json["scene"]["contact_radius_unworn"] = 2;
+  json["mdr"]["stick_radius_first_slip"] = 0.5;
+  json["mdr"]["stick_radius_shakedown"] = 1.3;
+  json["fe"]["stick_radius_first_slip"] = 1;
+  json["fe"]["stick_radius_shakedown"] = 1.5;
+  expect_parts(page_of({json}), {"at most 1.0e-01 a away from the shakedown radius", "up to 0.50 a away",
+                                 "within 2.5e-01 a of the first-slip radius"});
+}
+
 TEST(Report, SaysWhichStickRadiusTheSteadyStateFollows) {
   const auto as_stored = stored_result();
   expect_parts(page_of({as_stored}), {"it follows the shakedown radius", "Over 1 case with"});

@@ -160,5 +160,31 @@ TEST(FeAnswer, OfAWornProfileFollowsMdrUnderAnotherMotion) {
   }
 }
 
+// a ~ d^(1/2) under a parabola: the contact radius is known twice as well as the indentation that the force leads to.
+TEST(FeAnswer, UnderAForceKnowsTheContactRadiusByTheIndentation) {
+  auto scene = fixed_case("parabola-solid-90", 24, 48);
+  scene.motion.indentation = scene.motion.normal_amplitude = 0;
+  scene.motion.normal_force = Case::NormalForce{0.4, 0.2};
+  const auto fe = simulate_case(scene);
+  const double share = fe.indentation_uncertainty / fe.indentation_max.value();
+  EXPECT_GT(share, 0);
+  EXPECT_LT(share, 1e-2);
+  EXPECT_NEAR(fe.contact_radius_uncertainty / fe.contact_radius_max.value() / share, 0.5, 1e-3);
+}
+
+// What a half-space leaves open of an edge over a layer is a share of a ring, whatever the unit of length.
+TEST(FeAnswer, OverALayerKnowsTheContactRadiusToTheSameShareAtAnySize) {
+  auto scene = fixed_case("parabola-elastic-steady", 24, 24);
+  scene.body.shape = Case::Body::Shape::layer;
+  scene.body.thickness = 2e-3;
+  scene.motion.tangential_amplitude = 0;
+  const auto small = simulate_case(scene);
+  for (double* length : {&scene.indenter.radius, &scene.body.thickness, &scene.motion.indentation}) *length *= 1000;
+  const auto large = simulate_case(scene);
+  EXPECT_GT(small.contact_radius_calibration, 0);
+  EXPECT_LT(small.contact_radius_calibration, small.contact_radius_max.value() / 24);
+  EXPECT_NEAR(large.contact_radius_calibration / small.contact_radius_calibration, 1000, 1e-3);
+}
+
 }  // namespace
 }  // namespace fretval

@@ -77,5 +77,18 @@ TEST(FeCycle, TakesOverTheChangeFromOneContactToAnother) {
   EXPECT_EQ(cycle.uncertainty(Quantity::tangential_force_max), 0.1);
 }
 
+// Of another mesh also what sliding would take, over which the energies are compared.
+TEST(FeCycle, GoesHalfwayWithItsScales) {
+  auto cycle = some_cycle({10, 0, 5, 0, 5}), other = some_cycle({20, 0, 6, 0, 5});
+  cycle.sliding_force = 1;
+  cycle.sliding_work = 2;
+  other.sliding_force = 4;
+  other.sliding_work = 3;
+  go_halfway(other, cycle);
+  EXPECT_EQ(cycle.value(Quantity::tangential_force_max), 15);
+  EXPECT_EQ(cycle.sliding_force, 2.5);
+  EXPECT_EQ(cycle.sliding_work, 2.5);
+}
+
 }  // namespace
 }  // namespace fretval::fe_cycle_test

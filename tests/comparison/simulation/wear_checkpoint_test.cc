@@ -106,5 +106,33 @@ TEST(WearCheckpoint, WearGoesOnWhereNothingCanBeWritten) {
   EXPECT_EQ(jumps_made(folder.path() / "file"), simulated({}).course.n_jumps);
 }
 
+// Each of them leads to another course: of friction, of the law, of how far it goes and of what the body remembers.
+TEST(WearCheckpoint, OneOfAnotherCaseCountsAsNone) {
+  const ScratchFolder folder;
+  const auto first_jump = [&](const PreparedCase& prepared) {
+    int n = 0;
+    const auto kill = [&](const WearSimulation&, const fem::WearCourse& course) {
+      n = course.n_jumps;
+      throw Killed();
+    };
+    EXPECT_THROW(simulate_wear(prepared.fem, *prepared.input.wear_kinetics, {0.6, 1.5}, coarse(), shared_bodies(),
+                               {folder.path(), kill}),
+                 Killed);
+    return n;
+  };
+  const auto usual = wearing_case("  set Coefficient = 1e-12\n");
+  EXPECT_EQ(first_jump(usual), 1);
+  EXPECT_EQ(first_jump(usual), 2) << "goes on from its checkpoint";
+  auto other = usual;
+  other.fem.friction_coefficient *= 1.01;
+  EXPECT_EQ(first_jump(other), 1);
+  other = usual;
+  other.fem.relaxation.viscosity = 1e-3;
+  EXPECT_EQ(first_jump(other), 1);
+  EXPECT_EQ(first_jump(wearing_case("  set Coefficient = 1e-12\n  set Until = 1e-4\n")), 1);
+  EXPECT_EQ(first_jump(wearing_case("  set Coefficient = 1e-12\n  set Cycles = 1e9\n")), 1);
+  EXPECT_EQ(first_jump(wearing_case("  set Coefficient = 2e-12\n")), 1);
+}
+
 }  // namespace
 }  // namespace fretval::wear_checkpoint_test

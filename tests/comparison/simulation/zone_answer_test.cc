@@ -73,6 +73,7 @@ TEST(ZoneAnswer, AnOpenGrooveLeavesADiscAndARing) {
   EXPECT_NEAR(contact[0].outer, 0.5e-3, 0.03e-3);
   EXPECT_NEAR(contact[1].inner, 0.7e-3, 0.03e-3);
   EXPECT_EQ(contact[1].outer, fe.contact_radius_max.value());
+  EXPECT_NEAR(fe.as<ZoneAnswer>()->radius_at_rest, contact[1].outer, 0.03e-3) << "of all that touches";
   EXPECT_GT(fe.as<ZoneAnswer>()->pressure_max, 0);
   // Sums over all rings, not over the disc in the middle.
   const Eigen::VectorXd sums = fe.normal.pressure.transpose() * Eigen::VectorXd::Ones(fe.normal.pressure.rows());

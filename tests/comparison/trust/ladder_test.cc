@@ -4,6 +4,7 @@
 
 #include "mdr/layer/layer_contact.h"
 #include "mdr/profiles/power_law.h"
+#include "tests/comparison/some_cycle.h"
 #include "tests/comparison/suite_case.h"
 
 namespace fretval::ladder_test {
@@ -65,6 +66,17 @@ TEST(Rungs, AreCoupledOnlyWhereTheBodyIs) {
   EXPECT_EQ(rungs_of(by_force).size(), 2U);
 }
 
+TEST(Rungs, SayWhichBodyItIs) {
+  auto scene = on_layer(3e-3, 0.5);
+  EXPECT_EQ(rungs_of(scene).front().title, "a layer 3 mm thick");
+  scene.body.is_bonded = false;
+  EXPECT_EQ(rungs_of(scene).front().title, "a layer 3 mm thick on a frictionless base");
+  scene.body.shape = Case::Body::Shape::cylinder;
+  scene.body.radius = 8e-3;
+  scene.body.is_bonded = true;
+  EXPECT_EQ(rungs_of(scene).front().title, "a cylinder 3 mm thick, of radius 8 mm");
+}
+
 // MDR's own radius is sqrt(R d); that of the layer comes from springs that it couples, which no finite element enters.
 TEST(Ladder, KnowsHowFarMdrIsOffOverALayer) {
   auto scene = on_layer(2e-3, 0.5);
@@ -119,6 +131,27 @@ TEST(OffBy, IsResolvedAboveItsUncertainty) {
   const OffBy off{{2.0}, 0.25, 0.01};
   EXPECT_TRUE(off.is_resolved());
   EXPECT_FALSE((OffBy{{2.0}, 0.01, 0.02}).is_resolved());
+}
+
+// A radius of 2 mm that finite elements know to 0.01 of 1 mm beside one of 1 mm that MDR knows to 4 um: half of the
+// truth, by 0.5 of 1e-5/2e-3 and 4e-6/2e-3. The mean force is what slip has locked in, and no relative error has a
+// meaning for it.
+TEST(OffBy, HasTheUncertaintiesOfBothMethods) {
+  ProvedAnswer answer{};
+  answer.fe.contact_radius_max = 2e-3;
+  answer.fe.cycle = some_cycle({0.5, 0.25, 1e-5, 0, 1e-5});
+  ErrorBar bar;
+  bar.add(ErrorSource::rings, 0.01);
+  answer.budget[Quantity::contact_radius_max] = bar;
+  const Readings mdr{{Quantity::contact_radius_max, {1e-3, 4e-6}},
+                     {Quantity::tangential_force_max, {0.25}},
+                     {Quantity::tangential_force_mean, {0.5}}};
+  const auto all = off_by(mdr, answer, {1e-3, 1e-4, 1e6, 1});
+  const auto& radius = all.at(Quantity::contact_radius_max);
+  EXPECT_NEAR(radius.value, -0.5, 1e-12);
+  EXPECT_NEAR(radius.uncertainty, 0.0025 + 0.002, 1e-12);
+  EXPECT_NEAR(all.at(Quantity::tangential_force_max).value, -0.5, 1e-12);
+  EXPECT_EQ(all.count(Quantity::tangential_force_mean), 0U);
 }
 
 // (1 - 2 nu)/(2 (1 - nu)) over a half-space; over a layer that of nu = 1/2 has a maximum near kH = 1.

@@ -91,5 +91,20 @@ TEST(LadderJson, HasTheEdgesOfTheZones) {
   EXPECT_EQ(ladder_json({}, ladder).at("zones").at("sticks_in_a_cycle"), ordered_json({2.0, 3.0}));
 }
 
+// By MDR's own model a is 1 mm, and the body 4 mm thick.
+TEST(LadderJson, HasThePlaceOnTheMapsByMdr) {
+  auto ladder = made_up(1);
+  ladder.mdr[Quantity::contact_radius_max] = {1e-3};
+  Case layer;
+  layer.body = {Case::Body::Shape::layer, 4e-3, 0, true};
+  layer.motion.phase = 30;
+  const auto at = ladder_json(layer, ladder).at("at");
+  EXPECT_NEAR(at.at("radius_over_thickness").get<double>(), 0.25, 1e-12);
+  EXPECT_NEAR(at.at("stick_radius_shakedown").get<double>(), 0.8, 1e-12);
+  EXPECT_EQ(at.at("phase"), 30);
+  layer.body = {};
+  EXPECT_EQ(ladder_json(layer, ladder).at("at").at("radius_over_thickness"), 0);
+}
+
 }  // namespace
 }  // namespace fretval::ladder_text_test

@@ -1,5 +1,6 @@
 #include "comparison/verification/benchmark_score.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -31,7 +32,16 @@ TEST(BenchmarkScore, HoldsNumbersToABenchmark) {
   EXPECT_FALSE(by_quantity.at(Quantity::normal_force_max).agrees) << "701 mN";
   EXPECT_FALSE(by_quantity.at(Quantity::stick_radius_first_slip).value) << "not given";
   expect_parts(score_text("10-elastic-60-degrees", rows, 1e-2), {"2 of 3 quantities agree within 0.01", "DISAGREES"});
+  expect_parts(score_text("10-elastic-60-degrees", rows, 1e-2), {fmt::format("; {} not given", rows.size() - 3)});
   EXPECT_EQ(score_json("x", rows, 1e-2).at("quantities").at("normal_force_max").at("agrees"), false);
+}
+
+TEST(BenchmarkScore, TakesEnergiesInAnyUnit) {
+  for (const std::string table : {"2e-6\nJ", "0.002\nmJ", "2\nuJ", "2\n\u00b5J", "2000\nnJ"}) {
+    const auto end = table.find('\n');
+    const auto values = answer("cycle_work\n" + table.substr(end + 1) + "\n" + table.substr(0, end) + "\n");
+    EXPECT_NEAR(values.at(Quantity::cycle_work), 2e-6, 1e-18) << table;
+  }
 }
 
 // A code that steps through time finds the shakedown radius, and may take it for the other one.

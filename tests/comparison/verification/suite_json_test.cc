@@ -59,6 +59,23 @@ TEST(SuiteJson, CountsAndSpreadsOverAllRows) {
   EXPECT_EQ(summary["fail"], 3) << "no bar at all proves nothing";
 }
 
+// Of 20 errors 18 are no larger than 1.8e-3.
+TEST(SuiteJson, HasWhatNineTenthsAreBelow) {
+  std::vector<SuiteRow> rows;
+  for (int k = 1; k <= 20; ++k) rows.push_back(row_of(1e-4 * k, 5e-3));
+  const auto high = suite_json(run_of(rows))["quantities"][0]["error"]["high"].get<double>();
+  EXPECT_GE(high, 1.8e-3 * (1 - 1e-9));
+  EXPECT_LT(high, 1.95e-3);
+}
+
+TEST(SuiteJson, AddsUpTheErrorsOfAllQuantities) {
+  auto both = row_of(1e-3, 2e-3);
+  both.compared[Quantity::normal_force_max] = {1, 1.5, 1e-3, 1e-4, "rings"};
+  const auto summary = suite_json(run_of({row_of(1e-3, 2e-3), both, row_of(3e-3, 2e-3)}))["summary"];
+  EXPECT_EQ(summary["errors"], 4);
+  EXPECT_EQ(summary["above_bar"], 2);
+}
+
 TEST(SuiteJUnit, HasACaseARow) {
   const auto xml = suite_junit(mixed_run());
   expect_parts(xml, {"name=\"fretval check extremes\" tests=\"4\" failures=\"1\"", "name=\"family: good\"/>",

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "comparison/accuracy/prepared_case.h"
@@ -41,6 +42,21 @@ TEST(ToleranceCases, AreFiftyAndCoverWhatTheyShould) {
   EXPECT_GE(n_without_first_slip, 2);
   EXPECT_GE(n_small, 5);
   EXPECT_GE(n_narrow, 4);
+}
+
+// k = 3 mu Delta d/(2 u_x0), and A/d0 with A = 2 u_x0/(3 mu).
+TEST(ToleranceCases, HaveTheAmplitudesThatTheirNumbersMean) {
+  std::map<std::string, Case::Motion> motions;
+  for (const auto& one : tolerance_cases(1e-3)) motions.emplace(one.name, case_of(one).motion);
+  const auto k = [&](const char* name, double friction) {
+    const auto& motion = motions.at(name);
+    return 1.5 * friction * motion.normal_amplitude / motion.tangential_amplitude;
+  };
+  EXPECT_NEAR(k("parabola-elastic-45", 0.7), 2, 1e-9);
+  EXPECT_NEAR(k("parabola-elastic-135", 0.2), 0.3, 1e-9);
+  EXPECT_NEAR(k("cone-voigt-120", 0.3), 0.5625, 1e-9);
+  const auto& steady = motions.at("parabola-elastic-steady");
+  EXPECT_NEAR(steady.tangential_amplitude / (1.5 * 0.5 * steady.indentation), 0.3, 1e-9);
 }
 
 std::vector<SuiteCase> some_cases() {

@@ -35,10 +35,20 @@ TEST(SurfaceWearSection, ShowsWhatSticksBesideTheLimitOfMdr) {
                                   {"across", 6.8e-4},
                                   {"across_bar", 4e-5}}},
                                 {"limit_of_mdr", {{"stick_radius", 7.75e-4}, {"volume", 1.2e-11}}}};
+  json["scene"]["contact_radius_unworn"] = 1e-3;
   const auto section = surface_wear_section({{json, folder.path()}});
   expect_parts(section.dump(), {"at 90 degrees", "at 270 degrees", "limit, MDR", "radius of what sticks"});
   expect_parts(rendered(section), {"Wear off the circle", "0.03 mm³ ± 10 %", "0.012 mm³", "660 ± 50 µm", "775.000 µm",
                                    "640.000 µm", "680 ± 40 µm"});
+  // Heights belong to the middles of the rings, at 250 and 750 um.
+  std::size_t n = 0;
+  for (const auto& figure : section.at("shapes").at("figures"))
+    for (const auto& series : figure.at("plot").at("series")) {
+      if (series.at("label").get<std::string>().find("degrees") == std::string::npos) continue;
+      ++n;
+      EXPECT_NEAR(series.at("x")[1].get<double>() / series.at("x")[0].get<double>(), 3, 1e-9);
+    }
+  EXPECT_EQ(n, 2U);
 }
 
 }  // namespace

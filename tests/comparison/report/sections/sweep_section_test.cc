@@ -98,5 +98,26 @@ TEST(SweepSection, WritesItsNumbers) {
                       "\nfamily/1,1,", ",0.25,0.5,0.25", ",0.5,1,0.25"});
 }
 
+// Radii of 1 and 2 mm with a bar of 0.125 of a contact radius of 2 mm.
+TEST(SweepSection, DrawsBarsInTheUnitOfTheValues) {
+  const auto in_mm = [](double value) {
+    auto one = point(value, {});
+    one.json["scene"]["contact_radius_unworn"] = 2e-3;
+    one.json["mdr"]["stick_radius_shakedown"] = 1.5e-3 * value;
+    one.json["fe"]["stick_radius_shakedown"] = 1e-3 * value;
+    for (const char* side : {"mdr", "fe"}) one.json[side]["stick_radius_first_slip"] = nullptr;
+    return one;
+  };
+  const auto plot = sweeps_section({in_mm(1), in_mm(2)}).at("sweeps")[0].at("figures").at("figures")[0].at("plot");
+  std::size_t n = 0;
+  for (const auto& series : plot.at("series")) {
+    if (series.at("label") != "stick radius, shakedown, finite elements") continue;
+    ++n;
+    EXPECT_NEAR(series.at("y")[1].get<double>(), 2, 1e-12);
+    EXPECT_NEAR(series.at("bar")[1].get<double>(), 0.25, 1e-12);
+  }
+  EXPECT_EQ(n, 1U) << plot.dump();
+}
+
 }  // namespace
 }  // namespace fretval

@@ -82,5 +82,20 @@ TEST(WearSection, SaysWhereMdrHasNoLimit) {
   EXPECT_EQ(text.find("from the limiting profile of the shakedown"), std::string::npos);
 }
 
+// The nearest of all cases, whichever comes last.
+TEST(WearSection, SaysHowNearTheLimitOfTheFirstSlipRadiusAnyCaseComes) {
+  auto far = wearing(true);
+  far.json["fe"]["wear"]["distance_to_limit"]["first_slip"] = 0.5;
+  expect_parts(rendered(wear_section({wearing(true), far})), {"at least 0.12 away"});
+  expect_parts(rendered(wear_section({far, wearing(true)})), {"at least 0.12 away"});
+}
+
+// 1e6 cycles at 2 Hz are 5e5 s, of 86400 s a day.
+TEST(WearSection, SaysHowLongTheCyclesTake) {
+  auto result = wearing(true);
+  result.json["scene"]["frequency"] = result.json["scene"]["tangential_frequency"] = 2;
+  expect_parts(rendered(wear_section({result})), {"1e+06, 5.79 days"});
+}
+
 }  // namespace
 }  // namespace fretval
