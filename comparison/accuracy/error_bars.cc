@@ -43,6 +43,11 @@ double share_of(const ErrorBar& bar, ErrorSource source) {
   return found == bar.shares.end() ? 0 : found->estimate;
 }
 
+/// Widens the share of a source. A difference of two infinite shares would be no number.
+void widen_share(ErrorBar& bar, ErrorSource source, double width) {
+  if (const double own = share_of(bar, source); width > own) bar.add(source, width - own);
+}
+
 /// Widens a bar to a width, by a share of the edge.
 void widen(ErrorBar& bar, double width) {
   const double missing = width - bar.total();
@@ -138,14 +143,10 @@ double apart(const Track& track) {
 void carry_creep(const Track& track, ErrorBudget& budget) {
   if (!needs_of(track.prepared.fem).creep) return;
   const auto creep_of = [&](Quantity quantity) { return share_of(budget.at(quantity), ErrorSource::creep); };
-  // A difference of two infinite shares would be no number.
-  const auto widen_to = [&](Quantity quantity, double other) {
-    if (const double own = creep_of(quantity); other > own) budget.at(quantity).add(ErrorSource::creep, other - own);
-  };
   const double share =
       std::max({creep_of(Quantity::stick_radius_first_slip), creep_of(Quantity::stick_radius_shakedown), apart(track)});
   for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown})
-    widen_to(quantity, share);
+    widen_share(budget.at(quantity), ErrorSource::creep, share);
 }
 
 /// A cycle that stands for a motion without a common period demands a little less or more depth of an element that
@@ -193,18 +194,17 @@ void carry_steps_under_forces(const Track& track, ErrorBudget& budget) {
   const auto fem = at_resolution(prepared.fem, resolution);
   if (fem.motion.path || computed.failed(resolution)) return;
   const auto widen_to = [&budget](Quantity quantity, double least) {
-    const auto bar = budget.find(quantity);
-    if (bar == budget.end()) return;
-    const double missing = least - share_of(bar->second, ErrorSource::time_step);
-    if (missing > 0) bar->second.add(ErrorSource::time_step, missing);
+    if (const auto bar = budget.find(quantity); bar != budget.end())
+      widen_share(bar->second, ErrorSource::time_step, least);
   };
   if (fem.motion.tangential_force)
     widen_to(Quantity::tangential_amplitude, off_under_forces(fem, fem.motion.tangential));
   const auto& depths = computed.at(resolution).fe.normal.indentation;
   if (fem.motion.normal_force && depths.size() > 0) {
-    const double oscillates = (depths.maxCoeff() - depths.minCoeff()) / 2 / depths.maxCoeff();
-    for (const auto quantity : {Quantity::indentation_max, Quantity::contact_radius_max})
-      widen_to(quantity, oscillates * off_under_forces(fem, fem.motion.normal));
+    const double oscillates = (depths.maxCoeff() - depths.minCoeff()) / 2 / depths.maxCoeff(),
+                 off = oscillates * off_under_forces(fem, fem.motion.normal);
+    widen_to(Quantity::indentation_max, off);
+    widen_to(Quantity::contact_radius_max, off);
   }
 }
 

@@ -20,9 +20,9 @@ struct Circle {
 
 /// How far the outermost of some circles reaches from a place.
 double reach(const std::vector<Circle>& circles, const Vector2d& place) {
-  double reach = 0;
-  for (const auto& circle : circles) reach = std::max(reach, (circle.centre - place).norm() + circle.radius);
-  return reach;
+  double farthest = 0;
+  for (const auto& circle : circles) farthest = std::max(farthest, (circle.centre - place).norm() + circle.radius);
+  return farthest;
 }
 
 /// The centre of the smallest circle that touches two others from outside. Not finite if they have one centre.
@@ -81,12 +81,12 @@ double slip_room(const Eigen::VectorXd& x, const Eigen::VectorXd& y, const Eigen
   Basis basis{{}, {x[0], y[0]}, -1};
   for (;;) {
     Index k = 0;
-    const double reach = (((x.array() - basis.centre[0]).square() + (y.array() - basis.centre[1]).square()).sqrt() +
-                          most - limit.array())
-                             .maxCoeff(&k);
-    if (reach <= basis.radius) return most - reach;
+    const double farthest = (((x.array() - basis.centre[0]).square() + (y.array() - basis.centre[1]).square()).sqrt() +
+                             most - limit.array())
+                                .maxCoeff(&k);
+    if (farthest <= basis.radius) return most - farthest;
     auto next = basis_with(basis, {{x[k], y[k]}, most - limit[k]});
-    if (!(next.radius > basis.radius)) return most - reach;  // roundoff
+    if (!(next.radius > basis.radius)) return most - farthest;  // roundoff
     basis = std::move(next);
   }
 }

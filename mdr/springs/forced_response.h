@@ -57,9 +57,10 @@ struct SpringFineness {
 /// distance from the extrapolation of n/2 and n, or from the values of 2 n, whichever is more, which covers orders from
 /// one to two. With a dashpot, whose load jumps at the edge, the orders scatter, and error is the whole difference of n
 /// and 2 n; that of the work in the body has the share of springs that let go within a period, if they are fewer than
-/// one. Throws std::invalid_argument for bad arguments, std::runtime_error when the springs do not become periodic and
-/// for a tangential force that no friction holds (gross slip): this is stepped once more on a ramp five times as long,
-/// on which the amplitude grows by less in a cycle.
+/// one. Where the ring that slips is narrower than a spring, sums are of first order, and errors of tangential forces
+/// and of the tangential amplitude have the share of a spring. Throws std::invalid_argument for bad arguments,
+/// std::runtime_error when the springs do not become periodic and for a tangential force that no friction holds (gross
+/// slip): this is stepped once more on a ramp five times as long, on which the amplitude grows by less in a cycle.
 struct SteppedForcedResponse {
   ForcedResponse response, error;
 };
