@@ -47,7 +47,7 @@ TEST(MovingFrequencies, LeaveOutWhatStandsStill) {
 
 TEST(MovingFrequencies, OfAPathAreThoseOfItsPeriod) {
   auto motion = motion_of_four();
-  motion.path.emplace();
+  motion.path = Case::Path{};
   motion.path->time = {1, 1.5, 1.75};
   motion.path->repeats = true;
   EXPECT_EQ(moving_frequencies(motion), (std::vector<double>{1 / 0.75}));

@@ -62,7 +62,8 @@ TEST(Plausibility, FrequenciesWithoutModuliAreWarnedAbout) {
     for (const auto& warning : implausible_values(scene, profile_of(scene.indenter))) all += warning + "\n";
     return all;
   };
-  auto& curve = scene.elastomer.master_curve.emplace();
+  scene.elastomer.master_curve = Case::MasterCurve{};
+  auto& curve = *scene.elastomer.master_curve;
   curve.table = "dma.csv";
   curve.frequency = {0.1, 1, 10};
   scene.motion.normal_frequency = 10;
@@ -74,7 +75,7 @@ TEST(Plausibility, FrequenciesWithoutModuliAreWarnedAbout) {
   EXPECT_EQ(warnings(), "") << "nothing moves at that frequency";
   scene.motion.tangential_harmonics = {{1e-6, 0.05, 0}};
   expect_parts(warnings(), {"moves at 0.05 Hz"});
-  scene.motion.path.emplace();
+  scene.motion.path = Case::Path{};
   scene.motion.path->time = {0, 0.01};
   scene.motion.path->normal = {1e-4, 1e-4};
   scene.motion.path->tangential = {0, 0};
