@@ -13,7 +13,7 @@ namespace {
 mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Prescribed& prescribed, int n_ramp_periods,
                                             int times) {
   return mdr::coupled_response(mdr.profile, mdr.layer.value(), mdr.body, mdr.friction_coefficient, prescribed,
-                               fineness_of(mdr, mdr::SpringFineness{100, 90, n_ramp_periods, 1e-7}, times));
+                               fineness_of(mdr, mdr::SpringFineness{50, 46, n_ramp_periods, 1e-7}, times));
 }
 
 }  // namespace

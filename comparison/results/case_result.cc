@@ -171,19 +171,18 @@ Outcome outcome_of(const CaseResult& result) {
   return may && !too_early ? Outcome::agree : Outcome::disagree;
 }
 
-CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe) {
+CaseResult result_of(const PreparedCase& prepared, MdrAnswers&& mdr, Proof proof, ProvedAnswer&& fe) {
   CaseResult result{prepared.input,
                     prepared.mdr,
                     at_resolution(prepared.fem, fe.resolution),
-                    std::move(mdr),
+                    std::move(mdr.own),
                     proof,
                     std::move(fe),
                     {}};
   if (!result.is_compared()) return result;
   if (result.fe.fe.cycles_to_shakedown && proof != Proof::none)
     result.mdr.cycles_to_shakedown = settling_cycles(result.mdr_case, result.mdr, result.fe.resolution.n_ramp_cycles);
-  if (!prepared.input.body.is_half_space())
-    result.half_space = prepared.mdr.layer ? half_space_answer(prepared.input) : result.mdr;
+  if (!prepared.input.body.is_half_space()) result.half_space = mdr.half_space ? std::move(mdr.half_space) : result.mdr;
   result.rings = given_rings_of(prepared, result.fe);
   result.model = model_errors_of(prepared.input, result.mdr);
   const auto& fem = prepared.fem;

@@ -10,7 +10,7 @@
 #include "comparison/accuracy/wear_proof.h"
 #include "comparison/case/case.h"
 #include "comparison/model_error/model_error.h"
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/half_space.h"
 #include "comparison/simulation/fe_answer.h"
 #include "mdr/rheology/prony_body.h"
 
@@ -39,7 +39,7 @@ struct CaseResult {
 Outcome outcome_of(const CaseResult& result);
 
 /// The result of a case from the answers of both methods, compared if MDR holds for it.
-CaseResult result_of(const PreparedCase& prepared, MdrAnswer&& mdr, Proof proof, ProvedAnswer&& fe);
+CaseResult result_of(const PreparedCase& prepared, MdrAnswers&& mdr, Proof proof, ProvedAnswer&& fe);
 
 /// Adds the wear of the indenter to a result.
 void add_wear(ProvedWear&& wear, CaseResult& result);

@@ -10,7 +10,7 @@
 #include "comparison/accuracy/data_shares.h"
 #include "comparison/case/plausibility.h"
 #include "comparison/case/test_duration.h"
-#include "comparison/reference/mdr_answer.h"
+#include "comparison/reference/half_space.h"
 #include "comparison/reference/mdr_readings.h"
 #include "comparison/reference/normal_responses.h"
 #include "comparison/results/answer_text.h"
@@ -87,21 +87,24 @@ std::string confirm_by_second_algorithm(FemCase fem, BodyStore& bodies, ProvedAn
       difference, enough);
 }
 
-/// MDR's answer to a case, as far as it holds.
+/// MDR's answers to a case, as far as it holds.
 struct Reference {
   std::shared_ptr<const mdr::NormalResponse> normal;
-  MdrAnswer answer;
+  MdrAnswers answers;
   Quantities errors;    ///< see PreparedCase::reference_errors
   std::string failure;  ///< why there is no answer, or empty
 };
 
 Reference reference_of(const PreparedCase& prepared, NormalResponses& references) {
-  if (!prepared.is_compared()) return {std::make_shared<const mdr::NormalResponse>(), no_answer(prepared.mdr), {}, ""};
+  if (!prepared.is_compared())
+    return {std::make_shared<const mdr::NormalResponse>(), {no_answer(prepared.mdr)}, {}, ""};
   try {
     auto normal = references.of(prepared.input, prepared.mdr);
-    auto answer = mdr_answer_with_cycle(prepared.mdr, *normal);
-    auto errors = uncertainties_of(compared_readings_of(answer), scales_of(answer, prepared.fem.units.length));
-    return {std::move(normal), std::move(answer), std::move(errors), ""};
+    MdrAnswers answers{mdr_answer_with_cycle(prepared.mdr, *normal)};
+    if (prepared.mdr.layer) answers.half_space = half_space_answer(prepared.input);
+    auto errors =
+        uncertainties_of(compared_readings_of(answers.own), scales_of(answers.own, prepared.fem.units.length));
+    return {std::move(normal), std::move(answers), std::move(errors), ""};
   } catch (const std::runtime_error& error) {
     return {{}, {}, {}, error.what()};
   }
@@ -145,7 +148,7 @@ BatchLine run_case(const PreparedCase& asked, const BatchOptions& options, BodyS
   if (!options.output.empty()) withdraw_result(folder);
   if (!line.failure.empty()) return line;
   add_data_shares(prepared.input, prepared.mdr, fe.budget);
-  auto result = result_of(prepared, std::move(known.answer), options.proof, std::move(fe));
+  auto result = result_of(prepared, std::move(known.answers), options.proof, std::move(fe));
   if (wears(prepared)) line.failure = wear_off(prepared, options, bodies, result);
   if (!line.failure.empty()) return line;
   finish(result, *known.normal, options, line);

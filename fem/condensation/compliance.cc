@@ -1,5 +1,7 @@
 #include "fem/condensation/compliance.h"
 
+#include <cmath>
+
 #include "fem/support/dense.h"
 #include "fem/support/solver_error.h"
 
@@ -12,6 +14,14 @@ Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& sc
   Compliance compliance{line.radii, line.areas, gram(solve_lower(*factor, line.loads))};
   if (!compliance.matrix->allFinite()) throw SolverError("the compliance of the contact line is not finite");
   return compliance;
+}
+
+Compliance scaled(const Compliance& compliance, double factor) {
+  const auto& [radii, areas, matrix, half_space] = compliance;
+  Compliance larger{radii, std::pow(factor, 2) * areas, SharedMatrix(std::pow(factor, 3) * *matrix)};
+  for (double& radius : larger.radii) radius *= factor;
+  if (half_space) larger.half_space = std::make_shared<const Compliance>(scaled(*half_space, factor));
+  return larger;
 }
 
 Eigen::Index rings_within(const Compliance& compliance, double radius) {

@@ -28,6 +28,9 @@ struct Compliance {
 /// definite.
 Compliance contact_compliance(const ContactLine& line, const Eigen::MatrixXd& schur);
 
+/// Of a body with all of its lengths larger by a factor: areas grow with its square, the matrix with its cube.
+Compliance scaled(const Compliance& compliance, double factor);
+
 /// Number of rings whose middle lies within a radius; where the radius is a node but for roundoff, the number of rings
 /// up to that node.
 Eigen::Index rings_within(const Compliance& compliance, double radius);

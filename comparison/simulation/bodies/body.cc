@@ -12,6 +12,7 @@
 #include "comparison/support/stopwatch.h"
 #include "fem/condensation/far_field.h"
 #include "fem/condensation/merged_rings.h"
+#include "fem/condensation/moved_rings.h"
 #include "fem/operators/stiffness.h"
 #include "meshes/audit.h"
 #include "meshes/cylinder.h"
@@ -29,24 +30,21 @@ HarmonicOperators assemble_harmonic(const fem::GridData& grid, const fem::Fourie
   return {std::move(space), std::move(stiffness)};
 }
 
-fem::Compliance scaled(const fem::Compliance& compliance, double factor) {
-  const auto& [radii, areas, matrix, half_space] = compliance;
-  fem::Compliance larger{radii, std::pow(factor, 2) * areas, fem::SharedMatrix(std::pow(factor, 3) * *matrix)};
-  for (double& radius : larger.radii) radius *= factor;
-  if (half_space) larger.half_space = std::make_shared<const fem::Compliance>(scaled(*half_space, factor));
-  return larger;
+/// The body with other contact problems in the place of its own.
+ContactBody with_problems(const ContactBody& body, fem::ContactProblem normal,
+                          std::optional<fem::ContactProblem> tangential) {
+  auto summary = *body.summary;
+  summary.original = body.summary->original ? body.summary->original : body.summary;
+  summary.radii = normal.compliance.radii;
+  return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
 }
 
 /// The body with a changed compliance in the place of each.
 template <class Change>
 ContactBody changed(const ContactBody& body, const Change& change) {
-  auto summary = *body.summary;
-  summary.original = body.summary->original ? body.summary->original : body.summary;
-  fem::ContactProblem normal(change(body.normal.compliance));
-  summary.radii = normal.compliance.radii;
   std::optional<fem::ContactProblem> tangential;
   if (body.tangential) tangential.emplace(change(body.tangential->compliance));
-  return {std::move(normal), std::move(tangential), std::make_shared<const BodySummary>(std::move(summary))};
+  return with_problems(body, fem::ContactProblem(change(body.normal.compliance)), std::move(tangential));
 }
 
 /// The mesh of a given file, scaled so that its contact line has the length of the scale.
@@ -176,7 +174,16 @@ ContactBody contact_body(const Body& body) {
 }
 
 ContactBody scaled(const ContactBody& body, double factor) {
-  return changed(body, [factor](const fem::Compliance& compliance) { return scaled(compliance, factor); });
+  return changed(body, [factor](const fem::Compliance& compliance) { return fem::scaled(compliance, factor); });
+}
+
+ContactBody with_moved_rings(const ContactBody& body, const ContactBody& coarse, double factor) {
+  const auto moved = [factor](const fem::ContactProblem& of_rings, const fem::ContactProblem& of_coarse) {
+    return fem::ContactProblem(fem::moved_rings(of_rings.compliance, of_coarse.compliance, factor));
+  };
+  std::optional<fem::ContactProblem> tangential;
+  if (body.tangential) tangential.emplace(moved(*body.tangential, *coarse.tangential));
+  return with_problems(body, moved(body.normal, coarse.normal), std::move(tangential));
 }
 
 ContactBody with_merged_rings(const ContactBody& body, const std::vector<double>& radii) {

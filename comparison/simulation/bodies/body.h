@@ -125,6 +125,9 @@ RingEdges ring_edges(const ContactBody& half_space);
 /// (see fem::Compliance) with its cube.
 ContactBody scaled(const ContactBody& body, double factor);
 
+/// The body with rings that are wider by a factor; coarse: the same body under coarse rings, see fem::moved_rings.
+ContactBody with_moved_rings(const ContactBody& body, const ContactBody& coarse, double factor);
+
 /// The body with wider rings, whose radii are a selection of those of the body; see fem::merged_rings.
 ContactBody with_merged_rings(const ContactBody& body, const std::vector<double>& radii);
 

@@ -23,6 +23,14 @@ std::shared_ptr<const ContactBody> find_or_make_body(const BodyDescription& desc
       unmerged.contact_nodes = std::exchange(unmerged.given.radii, {});
       return with_merged_rings(*find_or_make_body(unmerged, bodies), description.contact_nodes);
     }
+    if (description.has_moved_rings()) {
+      auto own = description;
+      const auto moved = std::exchange(own.moved, {});
+      auto coarse = own;
+      coarse.contact_nodes = moved.coarse_nodes;
+      coarse.far_radius = moved.coarse_far_radius;
+      return with_moved_rings(*find_or_make_body(own, bodies), *find_or_make_body(coarse, bodies), moved.factor);
+    }
     RingEdges edges;
     if (!description.is_half_space())
       edges = ring_edges(*find_or_make_body(half_space_with_rings_of(description), bodies));

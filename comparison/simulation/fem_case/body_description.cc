@@ -16,7 +16,6 @@ bool are_equal_rings(const std::vector<double>& nodes) {
 }  // namespace
 
 BodyDescription half_space_with_rings_of(const BodyDescription& body) {
-  constexpr std::size_t enough_rings = 24;
   // Over the contact line. What is left of the far field of a compressible body bends the law that the edges are fitted
   // to, by the third power: with 8 contact radii on layers were 5e-5 to 1.5e-4 off at nu = 0.
   constexpr double far = 60;
@@ -28,7 +27,7 @@ BodyDescription half_space_with_rings_of(const BodyDescription& body) {
   // Of a given mesh rings are merged, also those of its half-space, of which none may lack.
   if (body.given.file.empty() && are_equal_rings(nodes)) {
     half_space.scale = nodes[1];
-    nodes.resize(enough_rings + 1);
+    nodes.resize(equal_rings_of_half_space + 1);
     std::iota(nodes.begin(), nodes.end(), 0.0);
   }
   half_space.far_radius = far * nodes.back();

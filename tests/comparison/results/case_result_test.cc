@@ -21,7 +21,7 @@ TEST(CaseResult, IsReadBackAsItIsWritten) {
   prepared.input.fields = Case::Fields::none;
   const auto reference = mdr_normal_response(prepared.mdr);
   BodyStore bodies;
-  const auto result = result_of(prepared, mdr_answer_with_cycle(prepared.mdr, reference), Proof::none,
+  const auto result = result_of(prepared, {mdr_answer_with_cycle(prepared.mdr, reference)}, Proof::none,
                                 prove(prepared, Proof::none, bodies));
   const ScratchFolder folder;
   const auto place = folder.path() / "new" / "case";

@@ -21,7 +21,7 @@ CaseResult result_with(const FakeNumerics& numerics, const ErrorBudget& budget =
   fe.resolution = prepared.fem.resolution;
   fe.fe = numerics(prepared.fem, fe.resolution);
   fe.budget = budget;
-  return result_of(prepared, mdr_answer_with_cycle(prepared.mdr, mdr_normal_response(prepared.mdr)), Proof::bars,
+  return result_of(prepared, {mdr_answer_with_cycle(prepared.mdr, mdr_normal_response(prepared.mdr))}, Proof::bars,
                    std::move(fe));
 }
 

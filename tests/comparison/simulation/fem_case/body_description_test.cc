@@ -20,7 +20,7 @@ std::vector<double> equal_nodes(int n) {
 
 TEST(BodyDescription, IsAnotherOneForEveryField) {
   const BodyDescription body{{0, 1}, 0.5, 6, 3};
-  std::vector<BodyDescription> others(14, body);
+  std::vector<BodyDescription> others(17, body);
   others[0].contact_nodes = {0, 2};
   others[1].growth = 0.4;
   others[2].far_radius = 7;
@@ -35,6 +35,9 @@ TEST(BodyDescription, IsAnotherOneForEveryField) {
   others[11].given.moduli = {1, 8};
   others[12].given.n_refinements = 1;
   others[13].given.radii = {0, 1};
+  others[14].moved.factor = 1.01;
+  others[15].moved.coarse_nodes = {0, 1};
+  others[16].moved.coarse_far_radius = 7;
   EXPECT_FALSE(body < body);
   for (const auto& other : others) EXPECT_TRUE(body < other || other < body);
   EXPECT_EQ(std::tuple_size<decltype(BodyDescription::fields(body))>::value, others.size());

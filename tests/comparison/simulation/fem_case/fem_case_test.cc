@@ -42,6 +42,46 @@ TEST(FemCase, EdgeLiesElsewhereInItsRing) {
   }
 }
 
+/// The case with a layer in the place of the half-space.
+Case on_layer(double thickness) {
+  auto input = read_case();
+  input.body.shape = Case::Body::Shape::layer;
+  input.body.thickness = thickness;
+  return input;
+}
+
+// A layer has a length. Its own rings are moved, by what coarser rings tell of it that its error bars ask for anyway.
+TEST(FemCase, EdgeLiesElsewhereInMovedRingsOfALayer) {
+  const auto fem = prepare({on_layer(3e-3)}).front().fem;
+  auto resolution = fem.resolution;
+  resolution.edge_before_node += 0.5;
+  const auto body = at_resolution(fem, resolution).body;
+  ASSERT_TRUE(body.has_moved_rings());
+  EXPECT_EQ(body.contact_nodes, fem.body.contact_nodes);
+  EXPECT_EQ(body.scale, 1);
+  const double rings = 1 / (body.moved.factor * body.contact_nodes[1]);
+  EXPECT_NEAR(std::ceil(rings) - rings, usual_edge_before_node + 0.5, 1e-9);
+  const auto coarse = at_resolution(fem, with_rings(fem.resolution, 0.5)).body;
+  EXPECT_EQ(body.moved.coarse_nodes, coarse.contact_nodes);
+  EXPECT_EQ(body.moved.coarse_far_radius, coarse.far_radius);
+  EXPECT_FALSE(fem.body.has_moved_rings());
+}
+
+// On a layer of two coarse rings, and for the full contact, a body of the moved rings is made.
+TEST(FemCase, EdgeLiesElsewhereOnABodyOfItsOwn) {
+  auto full = on_layer(3e-3);
+  full.contact.vector_friction = true;
+  for (const auto& input : {on_layer(4e-4), full}) {
+    const auto fem = prepare({input}).front().fem;
+    auto resolution = fem.resolution;
+    resolution.edge_before_node += 0.5;
+    const auto body = at_resolution(fem, resolution).body;
+    EXPECT_FALSE(body.has_moved_rings());
+    EXPECT_GT(body.contact_nodes.back(), fem.body.contact_nodes.back());
+    EXPECT_EQ(body.thickness, fem.body.thickness);
+  }
+}
+
 // An unlocked phase passes through every phase, so its stick radius is the smallest of all of them, paper (21).
 TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
   Case input = read_case();
