@@ -61,7 +61,10 @@ EdgeRadius stick_radius(const Compliance& compliance, const EffectiveRadii& edge
              other = cubic ? cubic : root(2, 1);
   if (!fitted || !other) return {(radius[n - 1] + next) / 2, width};
   const double relative_width = width / compliance.radii.back();
-  return {*fitted, 2 * std::abs(*fitted - *other) + scatter + calibration + relative_width * relative_width * width};
+  // Over a half-space the reserve of a parabola is a parabola; the base of a layer bends it.
+  const auto bent = compliance.half_space && n > 3 ? root(4, 3) : std::nullopt;
+  const double read = bent.value_or(*fitted);
+  return {read, 2 * std::abs(*fitted - *other) + scatter + calibration + relative_width * relative_width * width};
 }
 
 }  // namespace fretval::fem

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 
 #include "fem/ring_contact/effective_radii.h"
 #include "fem/support/constants.h"
@@ -47,6 +48,20 @@ TEST_F(StickRadiusTest, IsLessCertainWhereTheReserveIsNoParabola) {
     return stick_radius(compliance_, (cubic * x.cube() - x).matrix(), 30).uncertainty;
   };
   for (const double cubic : {-30.0, 30.0}) EXPECT_GT(uncertainty(cubic), 1.01 * uncertainty(0)) << cubic;
+}
+
+// Over the base of a layer reserves are no parabolas: four rings tell the cubic.
+TEST_F(StickRadiusTest, FollowsACubicOverALayer) {
+  const auto edges = effective_radii(compliance_);
+  auto layer = compliance_;
+  layer.half_space = std::make_shared<const Compliance>(compliance_);
+  for (const double share : {0.1, 0.5, 0.9}) {
+    const double c = edges.of_rings[29] + share * (edges.of_rings[30] - edges.of_rings[29]);
+    const Eigen::ArrayXd x = edges.of_rings.array() - c;
+    const Eigen::VectorXd reserve = 30 * x.cube() - x;
+    EXPECT_NEAR(stick_radius(layer, edges, reserve, 30).radius, c, 1e-11) << share;
+    EXPECT_GT(std::abs(stick_radius(compliance_, edges, reserve, 30).radius - c), 1e-6) << share;
+  }
 }
 
 // A reserve that does not fall towards the edge at all, as inside the flat of a punch with sharp edges.
