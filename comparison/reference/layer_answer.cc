@@ -16,22 +16,38 @@ mdr::SteppedForcedResponse stepped_on_layer(const MdrCase& mdr, const mdr::Presc
                                fineness_of(mdr, mdr::SpringFineness{50, 46, n_ramp_periods, 1e-7}, times));
 }
 
+/// The contact of a viscoelastic layer reaches, as it grows, the radius of the contact with an elastic one at the same
+/// indentation, which springs find under a force.
+void take_radius(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped, mdr::NormalResponse& normal) {
+  const auto radius_at = [&mdr](double indentation) {
+    return mdr::layer_contact_at_depth(mdr.profile, mdr.layer.value(), indentation).contact_radius;
+  };
+  const double deepest = stepped.response.largest_indentation;
+  normal.contact_radius_max = radius_at(deepest);
+  normal.contact_radius_error =
+      mdr.normal_force ? radius_at(deepest + stepped.error.largest_indentation) - normal.contact_radius_max : 0;
+}
+
+/// What is left to find of a normal response, over what the case asks for: under a force the radius.
+double excess_of_response(const MdrCase& mdr, const mdr::SteppedForcedResponse& stepped) {
+  auto normal = stepped.response.normal;
+  if (!mdr.normal_force || mdr.tolerance == 0)
+    return excess_of_normal_force(mdr, normal.normal_force_max, stepped.error.normal.normal_force_max);
+  take_radius(mdr, stepped, normal);
+  const double a = normal.contact_radius_max;
+  return excess_of(mdr.tolerance, Quantity::contact_radius_max, a, normal.contact_radius_error, {a, 0, 0});
+}
+
 }  // namespace
 
 mdr::NormalResponse layer_normal_response(const MdrCase& mdr) {
   constexpr int no_ramp = 1;  // without friction the state that repeats is the same whatever leads to it
-  const auto [response, error] = refined_until_known(
-      [&](const mdr::SteppedForcedResponse& stepped) {
-        return excess_of_normal_force(mdr, stepped.response.normal.normal_force_max,
-                                      stepped.error.normal.normal_force_max);
-      },
-      [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), no_ramp, times); });
-  auto normal = response.normal;
-  // The contact of a viscoelastic layer reaches, as it grows, the radius of the contact with an elastic one at the same
-  // indentation.
-  normal.contact_radius_max =
-      mdr::layer_contact_at_depth(mdr.profile, mdr.layer.value(), response.largest_indentation).contact_radius;
-  normal.normal_force_error = mdr.normal_force ? 0 : error.normal.normal_force_max;
+  const auto stepped =
+      refined_until_known([&](const mdr::SteppedForcedResponse& found) { return excess_of_response(mdr, found); },
+                          [&](int times) { return stepped_on_layer(mdr, mdr.prescribed_normally(), no_ramp, times); });
+  auto normal = stepped.response.normal;
+  take_radius(mdr, stepped, normal);
+  normal.normal_force_error = mdr.normal_force ? 0 : stepped.error.normal.normal_force_max;
   return normal;
 }
 

@@ -26,7 +26,8 @@ void take_kind(const GrossSlipShare& /*unused*/, Readings& readings) {
 
 Readings readings_of(const MdrAnswer& answer) {
   Readings readings{
-      {Quantity::contact_radius_max, {answer.contact_radius_max, {}, "no contact carries the force without slip"}},
+      {Quantity::contact_radius_max,
+       {answer.contact_radius_max, if_any(answer.contact_radius_error), "no contact carries the force without slip"}},
       {Quantity::stick_radius_first_slip,
        {answer.stick_radius_first_slip, if_any(answer.stepped.first_slip), "nothing sticks"}},
       {Quantity::stick_radius_shakedown,

@@ -62,6 +62,7 @@ struct MdrAnswer {
   /// amplitude.
   double stepping_error = 0;
   double normal_force_error = 0;                        ///< N, of springs stepped in time; 0: closed form
+  double contact_radius_error = 0;                      ///< m, likewise
   std::optional<mdr::AxisPressure> axis_pressure = {};  ///< empty: infinite
   std::optional<double> steady_sliding_share = {};      ///< see steady_sliding_share() of mdr_case.h
   MotionKind motion_kind = MotionKind::cycles;
@@ -83,6 +84,7 @@ inline MdrAnswer with_normal_response(const mdr::NormalResponse& normal) {
   answer.contact_radius_max = normal.contact_radius_max;
   answer.normal_force_max = normal.normal_force_max;
   answer.normal_force_error = normal.normal_force_error;
+  answer.contact_radius_error = normal.contact_radius_error;
   answer.axis_pressure = normal.axis_pressure;
   return answer;
 }

@@ -11,9 +11,12 @@ namespace fretval::mdr {
 
 namespace {
 
-// Radius up to which there are springs, with room for a contact whose rim has memory.
-double largest_radius(const Profile& profile, const Layer& layer, const PronyBody& body, const Prescribed& prescribed) {
-  constexpr double room = 1.05;
+// Radius up to which there are springs, with room for a contact whose rim has memory, and for the springs beyond it
+// which tell how steeply loads fall there.
+double largest_radius(const Profile& profile, const Layer& layer, const PronyBody& body, const Prescribed& prescribed,
+                      Eigen::Index fewest_springs) {
+  const double springs_beyond = body.branch_moduli.empty() ? 0 : 3,
+               room = 1 + std::max(0.05, springs_beyond / static_cast<double>(fewest_springs));
   const double most = maximum_indentation(prescribed.motion);
   const LayerContact contact = prescribed.normal_force
                                    ? layer_contact_under_force(profile, layer, body.relaxed_modulus, most)
@@ -37,7 +40,7 @@ double edge_of_loads(const SpringBed& bed, const Eigen::ArrayXd& load) {
 
 SteppedForcedResponse coupled_response(const Profile& profile, const Layer& layer, const PronyBody& body, double mu,
                                        const Prescribed& prescribed, const SpringFineness& fineness) {
-  const double outer = largest_radius(profile, layer, body, prescribed);
+  const double outer = largest_radius(profile, layer, body, prescribed, fineness.n_springs / 2);
   const auto history = [&](Eigen::Index n, const Loading& loading, const HistoryControl& control) {
     HistoryControl watching = control;
     watching.watches_first_slip = true;

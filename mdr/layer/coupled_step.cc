@@ -35,14 +35,40 @@ bool rests(const SpringState& state, const PrescribedInStep& prescribed) {
          none(state.tangential_memory);
 }
 
-// Fall of the loads over the width of each spring, by the equation of the row at y; 0 where they rise outwards.
-Eigen::ArrayXd fall_over_springs(const RowProblem& row, const Eigen::ArrayXd& coupling, double y) {
-  const Eigen::ArrayXd load = (row.value + row.slope * y - coupling) / row.stretch;
+// The right of the equation of a row at y, which is the load where springs are in contact.
+Eigen::ArrayXd load_at(const RowProblem& row, const Eigen::ArrayXd& coupling, double y) {
+  return (row.value + row.slope * y - coupling) / row.stretch;
+}
+
+// Fall over the width of each spring of what is smooth across the edge; 0 where it rises outwards.
+Eigen::ArrayXd fall_over_springs(const Eigen::ArrayXd& load) {
   const Eigen::Index n = load.size();
   Eigen::ArrayXd inner(n), outer(n);
   inner << load[0], load.head(n - 1);
   outer << load.tail(n - 1), 2 * load[n - 1] - load[std::max<Eigen::Index>(n - 2, 0)];
   return ((inner - outer) / 2).max(0.0);
+}
+
+// Of a body with memory the right of the equation has a kink where the contact ended a step before: what was not yet in
+// contact would be pressed by all branches at once. Falls are lines through the differences on either side of it.
+void set_falls_beside_kink(const Eigen::ArrayXd& load, Eigen::Index n_before, RowProblem& row) {
+  const Eigen::Index n = load.size();
+  row.fall = row.beyond = fall_over_springs(load);
+  if (n_before < 3 || n - n_before < 2) return;
+  const auto between = [&](Eigen::Index j) { return load[j - 1] - load[j]; };
+  const auto line = [&](Eigen::Index nearest, Eigen::Index next, Eigen::Index j) {
+    const double slope = (between(nearest) - between(next)) / static_cast<double>(nearest - next);
+    return std::max(between(nearest) + (static_cast<double>(j - nearest) + 0.5) * slope, 0.0);
+  };
+  const Eigen::Index first_beyond = n_before + 1, next_beyond = std::min(first_beyond + 1, n - 1);
+  const auto inside = [&](Eigen::Index j) { return line(n_before - 1, n_before - 2, j); };
+  const auto beyond = [&](Eigen::Index j) {
+    return next_beyond > first_beyond ? line(first_beyond, next_beyond, j) : std::max(between(first_beyond), 0.0);
+  };
+  row.fall[n_before - 1] = row.beyond[n_before - 1] = inside(n_before - 1);
+  row.fall[n_before] = inside(n_before);
+  row.beyond[n_before] = std::max(beyond(n_before), row.fall[n_before]);
+  row.fall[first_beyond] = row.beyond[first_beyond] = beyond(first_beyond);
 }
 
 // Relaxed loads at an indentation, or with a given sum and the indentation that belongs to it. Their fall at the rim is
@@ -52,7 +78,7 @@ RowSolution relaxed_row(const CoupledBed& bed, double guess, std::optional<doubl
   RowProblem row{-g, one, one, Eigen::ArrayXd::Zero(g.size()), Eigen::ArrayXd::Constant(g.size(), infinity)};
   RowSolver solver(bed.normal);
   const RowSolution without_rim = solver.solve(row, (guess - g).max(0.0), guess, sum);
-  row.fall = fall_over_springs(row, without_rim.coupling, without_rim.y);
+  row.fall = row.beyond = fall_over_springs(load_at(row, without_rim.coupling, without_rim.y));
   return solver.solve(row, without_rim.load, without_rim.y, sum);
 }
 
@@ -139,7 +165,11 @@ CoupledStep::Normal CoupledStep::normal_step(const SpringState& state, const Pre
     free_tips = tip_under(coupled_before, coupled_before, u, state.normal_memory);
     request.row.upper = (p > 0 || free_tips < request.guess - g).select(request.row.upper, 0.0);
   } else {
-    request.row.fall = fall_over_springs(request.row, coupled_before, request.guess);
+    const Eigen::ArrayXd load = load_at(request.row, coupled_before, request.guess);
+    if (gain_sum_ > 0)
+      set_falls_beside_kink(load, (p > 0).count(), request.row);
+    else
+      request.row.fall = request.row.beyond = fall_over_springs(load);
   }
   const RowSolution found = normal_row_.solve(request.row, p, request.guess, request.sum);
   const Eigen::ArrayXd touching = found.y - g;

@@ -59,16 +59,18 @@ class Newton {
   void find_loads() {
     const double *value = problem_.value.data(), *slope = problem_.slope.data(), *stretches = problem_.stretch.data(),
                  *lowest = problem_.lower.data(), *highest = problem_.upper.data(), *falls = problem_.fall.data(),
-                 *coupling = coupling_.data();
+                 *falls_beyond = problem_.beyond.data(), *coupling = coupling_.data();
     double *load = load_.data(), *rim_load = rim_load_.data(), *give = give_.data(), *at_limit = at_limit_.data();
     const double y = y_;
     constexpr double least_fall = std::numeric_limits<double>::min();  // where it is 0, nothing is within it
 #pragma GCC ivdep
     for (Eigen::Index j = 0, n = load_.size(); j < n; ++j) {
-      const double stretch = stretches[j], lower = lowest[j], upper = highest[j], fall = falls[j];
+      const double stretch = stretches[j], lower = lowest[j], upper = highest[j];
       const double wanted = (value[j] + slope[j] * y - coupling[j]) / stretch, above = wanted - lower;
       const double side = (wanted >= upper ? 1.0 : 0.0) - (above <= 0 ? 1.0 : 0.0);
-      const double within = std::max(fall / 2 - std::abs(above), 0.0), share = within / std::max(fall, least_fall);
+      const double fall = above < 0 ? falls_beyond[j] : falls[j], of_load = falls[j] / std::max(fall, least_fall);
+      const double within = std::max(fall / 2 - std::abs(above), 0.0),
+                   share = of_load * within / std::max(fall, least_fall);
       at_limit[j] = side;
       load[j] = std::min(std::max(wanted, lower), upper);
       rim_load[j] = within * share / 2;

@@ -19,11 +19,13 @@ namespace fretval::mdr {
 /// Over that width the load is a line. The mean of its part above the limit exceeds the value in the middle of the
 /// spring, and the excess is the rim load of the spring: (fall/2 - |w|)^2/(2 fall) for w in the middle, |w| < fall/2.
 /// With it neither the sum of the loads nor their coupling depends, in second order, on where in a spring the contact
-/// ends.
+/// ends. Beyond the edge of a contact with memory the right falls more steeply, as what is not yet in contact would be
+/// pressed by all branches: there |w| is a shorter way, and the rim load is fall/beyond (beyond/2 - |w|)^2/(2 beyond).
 struct RowProblem {
   Eigen::ArrayXd value, slope, stretch;                      ///< m, 1, 1; stretch at least 1
   Eigen::ArrayXd lower, upper;                               ///< m
   Eigen::ArrayXd fall = Eigen::ArrayXd::Zero(value.size());  ///< over the width of each spring, m; 0: no rim loads
+  Eigen::ArrayXd beyond = fall;                              ///< where the right is below the lower limit, m
 };
 
 struct RowSolution {

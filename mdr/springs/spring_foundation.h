@@ -26,6 +26,7 @@ struct NormalResponse {
   std::vector<double> indentation;   ///< m
   std::vector<double> normal_force;  ///< N
   double normal_force_error = 0;     ///< N, of the largest, of springs that were stepped in time; 0: closed form
+  double contact_radius_error = 0;   ///< m, likewise
 };
 
 /// Whether the pressure on the axis has a bound: not under a sharp tip, g ~ x^n with n <= 1 (a cone, a cusp), and not

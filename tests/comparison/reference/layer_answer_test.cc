@@ -70,12 +70,18 @@ TEST(LayerAnswer, UnderAForceIndentsAsFarAsTheLayerLets) {
     EXPECT_NEAR(answer.indentation_max.value() / exact, 1, 1e-6);
     EXPECT_LT(std::abs(answer.indentation_max.value() - exact), answer.stepped.indentation);
     EXPECT_LT(answer.stepped.indentation, 1e-4 * exact);
+    // Over a parabola a ~ sqrt(d), over a thin layer less; the radius comes from springs of their own, without
+    // friction.
+    const double off = answer.stepped.indentation / exact, radius = answer.contact_radius_max.value();
+    EXPECT_GT(answer.contact_radius_error, 0.2 * off * radius);
+    EXPECT_LT(answer.contact_radius_error, off * radius);
   }
 }
 
 TEST(LayerAnswer, HasAnErrorOfTheForceWhereItIsNotPrescribed) {
   auto scene = on_layer(suite_case("parabola-elastic-90", 1e-2), 2e-3);
   EXPECT_GT(layer_normal_response(mdr_case(scene)).normal_force_error, 0);
+  EXPECT_EQ(layer_normal_response(mdr_case(scene)).contact_radius_error, 0) << "it follows from the indentation";
   scene.motion.normal_force = {1, 0.1};
   EXPECT_EQ(layer_normal_response(mdr_case(scene)).normal_force_error, 0);
   EXPECT_FALSE(layer_worn_radius(mdr_case(scene), 5e-4, 1e-4)) << "its limiting state has another indentation";

@@ -37,6 +37,22 @@ TEST(CoupledResponse, OfAThickLayerIsThatOfTheHalfSpace) {
   EXPECT_GT(half_space.response.friction_work, 10 * half_space.error.friction_work);
 }
 
+// What beside the edge of a contact that does not move is not touched would be pressed by all branches. It is at rest
+// all the same, with whatever stiffness.
+TEST(CoupledResponse, UnderAConstantForceIsThatOfTheRelaxedBody) {
+  const Layer layer{2, 0.2};
+  const double force = 3;
+  for (const double branch : {0.01, 1.0, 80.0}) {
+    const PronyBody body{1, {branch}, {0.02}, 0};
+    const Prescribed prescribed{harmonic_motion({force, 0, 1e-6, 1, 1, 0}), true, false};
+    const auto [response, error] = coupled_response(parabola(1), layer, body, mu, prescribed, coarse);
+    const auto exact = layer_contact_under_force(parabola(1), layer, 1, force);
+    EXPECT_NEAR(response.largest_indentation / exact.indentation, 1, 1e-6) << branch;
+    EXPECT_LT(error.largest_indentation / exact.indentation, 1e-5) << branch;
+    EXPECT_NEAR(response.normal.contact_radius_max / exact.contact_radius, 1, 1e-5) << branch;
+  }
+}
+
 // A half-space with Poisson's ratio 0.2, once as a layer that is infinitely thick, once as its incompressible
 // equivalent.
 TEST(CoupledResponse, OfACompressibleHalfSpaceIsThatOfItsEquivalent) {
