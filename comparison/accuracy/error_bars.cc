@@ -290,6 +290,7 @@ CaseNeeds needs_of(const FemCase& fem) {
   needs.held_from_start =
       fem.relaxation.viscosity > 0 || fem.motion.tangential_force || fem.kind == ContactKind::annuli;
   needs.moves_by_steps = fem.motion.tangential_force || fem.motion.path;
+  needs.begins_anywhere = fem.kind == ContactKind::discs && fem.has_period() && !fem.motion.path;
   const double two_steps = 4 * fem::pi / fem.steps_per_cycle();
   const auto& times = fem.relaxation.times;
   needs.has_short_branch = std::any_of(times.begin(), times.end(), [=](double time) { return time < two_steps; });

@@ -81,7 +81,7 @@ ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity 
   if (source == ErrorSource::rings && values.coarse && ends_with_contact(needs, quantity))
     return {source, safety * of_first_and_third_order(values.fine - values.medium, values.medium - *values.coarse),
             std::nullopt};
-  if (source == ErrorSource::edge)
+  if (source == ErrorSource::edge || source == ErrorSource::instants)
     return {source, safety * std::max(difference, std::abs(values.fine - values.coarse.value_or(values.fine))),
             std::nullopt};
   return richardson(source, values, expected);
@@ -107,11 +107,15 @@ std::vector<Variant> computed_ones(const std::vector<Variant>& variants,
   return computed;
 }
 
-/// Leaves out another start for the cycles to shakedown, which are counted from the start that is chosen.
+/// Leaves out another start for the cycles to shakedown, which are counted from the start that is chosen, and other
+/// instants for the largest contact radius: nothing happens at that, and the steps of the answer meet the largest
+/// indentation as well as they can.
 std::vector<Variant> of_quantity(Quantity quantity, std::vector<Variant> variants) {
-  const auto is_other_start = [](const Variant& variant) { return variant.source == ErrorSource::start; };
-  if (quantity == Quantity::cycles_to_shakedown)
-    variants.erase(std::remove_if(variants.begin(), variants.end(), is_other_start), variants.end());
+  const auto is_left_out = [quantity](const Variant& variant) {
+    return (variant.source == ErrorSource::start && quantity == Quantity::cycles_to_shakedown) ||
+           (variant.source == ErrorSource::instants && quantity == Quantity::contact_radius_max);
+  };
+  variants.erase(std::remove_if(variants.begin(), variants.end(), is_left_out), variants.end());
   return variants;
 }
 

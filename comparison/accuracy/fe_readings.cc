@@ -65,7 +65,7 @@ Readings readings_of(const FeAnswer& fe, const Units& units) {
       {Quantity::stick_radius_first_slip, {fe.stick_radius_first_slip, fe.first_slip_uncertainty, "nothing sticks"}},
       {Quantity::stick_radius_shakedown, {fe.stick_radius_shakedown, fe.shakedown_uncertainty, "nothing sticks"}},
       {Quantity::normal_force_max, {fe.normal_force_max, fe.normal_force_uncertainty, "", !fe.indentation_max}}};
-  if (fe.axis_pressure_max) readings[Quantity::axis_pressure_max] = {fe.axis_pressure_max};
+  if (fe.axis_pressure_max) readings[Quantity::axis_pressure_max] = {fe.axis_pressure_max, fe.axis_pressure_uncertainty};
   if (fe.indentation_max) readings[Quantity::indentation_max] = {fe.indentation_max, fe.indentation_uncertainty};
   if (fe.tangential_amplitude) readings[Quantity::tangential_amplitude] = {fe.tangential_amplitude};
   if (fe.cycle)

@@ -76,8 +76,8 @@ void other_degree(Resolution& r) {
 
 const char* name_of(ErrorSource source) {
   // In the order of the enumeration.
-  static constexpr std::array names{"rings", "angles", "element order", "grading",   "far field", "time step",
-                                    "start", "creep",  "cycles",        "wear jump", "edge",      "data"};
+  static constexpr std::array names{"rings", "angles", "element order", "grading", "far field", "time step", "start",
+                                    "creep", "cycles", "wear jump",     "edge",    "instants",  "data"};
   return names[static_cast<std::size_t>(source)];
 }
 
@@ -115,6 +115,7 @@ std::vector<Variant> variants_of(const Resolution& all_angles, const CaseNeeds& 
   for (const double factor : {0.5, 0.25})
     if (coarse.steps_per_cycle * factor >= fewest_steps)
       variants.push_back({ErrorSource::time_step, with_steps(coarse, factor), coarse});
+  if (needs.begins_anywhere) add(ErrorSource::instants, coarse, [](Resolution& r) { r.first_step += 0.5; });
   if (needs.memory && !is_pass(needs.motion_kind))
     add(ErrorSource::start, both, [](Resolution& r) { r.n_ramp_cycles /= 2; });
   if (needs.creep)
@@ -154,6 +155,7 @@ std::optional<Resolution> refined(const Resolution& resolution, ErrorSource sour
     case ErrorSource::far_field:
       return within((r.far_radius *= 2) <= largest_far_radius, r);
     case ErrorSource::time_step:
+    case ErrorSource::instants:
       return within(factor * r.steps_per_cycle <= most_steps, with_steps(r, factor));
     case ErrorSource::start:
       return within((r.n_ramp_cycles *= 2) <= most_ramp_cycles, r);

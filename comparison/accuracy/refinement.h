@@ -20,6 +20,7 @@ enum class ErrorSource {
   cycles,
   wear_jump,
   edge,
+  instants,
   data
 };
 const char* name_of(ErrorSource source);
@@ -55,6 +56,8 @@ struct CaseNeeds {
   /// The indenter follows a tangential force or the rows of a path, step by step: errors of rings and steps depend on
   /// each other.
   bool moves_by_steps = false;
+  /// It repeats and is made of cosines, so that its first step may begin at any instant.
+  bool begins_anywhere = false;
   /// The body ends, as a layer does: its base adds a smooth kernel to the response, in which pressures that are uniform
   /// over each ring leave an error of second order.
   bool ends = false;
@@ -64,15 +67,16 @@ struct CaseNeeds {
 };
 
 /// What has to be computed besides a resolution to measure its errors, each source by its own refinement, and what
-/// reading the edges costs by the same rings with the edges elsewhere in them. Where the resolution is fine, each
-/// source is measured at a resolution that is coarser in a respect which does not make it smaller: rings and edges with
-/// half the steps (all where the indenter moves by them, or rings touch in any order), element order and grading with
-/// fewer steps, time step and creep with half the rings, far field, start and cycles with both, and all but creep with
-/// fewer cycles of a motion without a period. Two variants of one source follow each other, the coarser one last. On a
-/// given mesh (Resolution::mesh_refinements) coarser rings are merged neighbours; the grading is measured by cells
-/// split into four under the same rings; rings that begin elsewhere are made of halves of neighbouring rings; where
-/// fewer than 24 rings lie within the contact radius, finer rings, of cells split into four, are taken instead of
-/// coarser ones. A given mesh has no far field.
+/// reading the edges costs by the same rings with the edges elsewhere in them, and what happens within a step, as a
+/// ring that touches or begins to slide, by the same steps half a step later. Where the resolution is fine, each source
+/// is measured at a resolution that is coarser in a respect which does not make it smaller: rings and edges with half
+/// the steps (all where the indenter moves by them, or rings touch in any order), element order and grading with fewer
+/// steps, time step and creep with half the rings, far field, start and cycles with both, and all but creep with fewer
+/// cycles of a motion without a period. Two variants of one source follow each other, the coarser one last. On a given
+/// mesh (Resolution::mesh_refinements) coarser rings are merged neighbours; the grading is measured by cells split into
+/// four under the same rings; rings that begin elsewhere are made of halves of neighbouring rings; where fewer than 24
+/// rings lie within the contact radius, finer rings, of cells split into four, are taken instead of coarser ones. A
+/// given mesh has no far field.
 std::vector<Variant> variants_of(const Resolution& resolution, const CaseNeeds& needs);
 
 /// The variants of a resolution for the course of wear, which ends shaken down and reads no edges: in rings, element

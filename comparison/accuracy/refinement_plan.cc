@@ -25,6 +25,7 @@ double left_over(ErrorSource source, const ErrorShare& share) {
   const double by_order = std::exp2(-std::min(share.order.value_or(usual_order), best_order));
   const bool rings = source == ErrorSource::rings;
   if (rings && (share.source == ErrorSource::edge || share.source == ErrorSource::element_order)) return 0.25;
+  if (source == ErrorSource::time_step && share.source == ErrorSource::instants) return 0.5;
   if (source != share.source) return 1;
   switch (source) {
     case ErrorSource::element_order:

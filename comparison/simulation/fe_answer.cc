@@ -132,9 +132,10 @@ void read_settling(const fem::Compliance& compliance, const FemCase& fem, const 
     answer.cycles_to_shakedown_uncertainty = std::abs(*answer.cycles_to_shakedown - *other);
 }
 
-/// Exponent n of f ~ r^n between half of a radius and the radius, at most 8, which a flat face counts as.
+constexpr double bluntest = 8;  // exponent, which a flat face counts as
+
+/// Exponent n of f ~ r^n between half of a radius and the radius.
 double exponent_at(double radius, const FemCase& fem) {
-  constexpr double bluntest = 8;
   const double outside = fem.profile(radius), half_way = fem.profile(radius / 2);
   return half_way > 0 ? std::min(std::log2(outside / half_way), bluntest) : bluntest;
 }
@@ -143,23 +144,32 @@ double exponent_at_edge(const FemCase& fem) {
   return exponent_at(1, fem);
 }
 
-/// The largest pressure on the axis; empty: infinite, under a sharp tip and where a body with a dashpot is touched
-/// anew. Pressures beyond a worn edge are left out, as nothing is pressed there in the limit.
-std::optional<double> axis_pressure_of(const FemCase& fem, const ContactProblems& problems,
-                                       const fem::NormalHistory& normal) {
-  constexpr double near_axis = 1e-4, sharp = 1 + 1e-3;
+/// Reads the largest pressure on the axis; empty: infinite, under a sharp tip and where a body with a dashpot is
+/// touched anew. Pressures beyond a worn edge are left out, as nothing is pressed there in the limit.
+void read_axis_pressure(const FemCase& fem, const fem::ContactProblem& problem, const fem::NormalHistory& normal,
+                        FeAnswer& answer) {
+  constexpr double near_axis = 1e-4, sharp = 1 + 1e-3, roundoff = 1e-6;
   const double exponent = exponent_at(near_axis, fem);
   const bool touches_anew = fem.relaxation.viscosity > 0 && normal.force.minCoeff() <= 0;
-  if (exponent < sharp || touches_anew) return std::nullopt;
+  if (exponent < sharp || touches_anew) return;
   Eigen::MatrixXd pressure = normal.pressure;
   Eigen::VectorXd radius = normal.contact_radius;
   if (fem.worn_edge) {
-    pressure.bottomRows(pressure.rows() - fem::rings_within(problems.normal.compliance, fem.worn_edge->inner))
-        .setZero();
+    pressure.bottomRows(pressure.rows() - fem::rings_within(problem.compliance, fem.worn_edge->inner)).setZero();
     radius = radius.cwiseMin(fem.worn_edge->inner);
   }
-  const auto largest = fem::axis_pressure_max(problems.normal.series, pressure, radius, exponent, normal.pieces);
-  return largest ? std::optional(*largest * fem.units.pressure()) : std::nullopt;
+  const auto largest_with = [&](double n) {
+    return fem::axis_pressure_max(problem.series, pressure, radius, n, normal.pieces);
+  };
+  const auto largest = largest_with(exponent);
+  if (!largest) return;
+  answer.axis_pressure_max = *largest * fem.units.pressure();
+  const double farther_out = std::max(exponent_at(problem.series.radii()[fem::outermost_tip_ring], fem), sharp);
+  if (exponent == bluntest && farther_out < bluntest)
+    answer.axis_pressure_uncertainty = std::numeric_limits<double>::infinity();
+  else if (std::abs(farther_out - exponent) > roundoff)
+    answer.axis_pressure_uncertainty =
+        std::abs(*largest - largest_with(farther_out).value_or(0)) * fem.units.pressure();
 }
 
 }  // namespace
@@ -189,7 +199,7 @@ void read_normal_response(const ContactProblems& problems, const FemCase& fem,
   const auto force = fem::largest_force(normal, fem.motion.highest_normal_order(),
                                         fem.worn_edge ? fem::Flank::around_contact : fem::Flank::none);
   answer.normal_force_max = force.value * fem.units.force();
-  answer.axis_pressure_max = axis_pressure_of(fem, problems, normal);
+  read_axis_pressure(fem, problems.normal, normal, answer);
   answer.normal_force_uncertainty = force.uncertainty * fem.units.force();
   if (!fem.motion.normal_force) return;
   const auto [depth, uncertainty] = fem::largest_indentation(problems.normal, fem.relaxation, normal);

@@ -82,9 +82,12 @@ struct FeAnswer {
   MotionKind motion_kind = MotionKind::cycles;
   double contact_radius_uncertainty = 0;  ///< of the time steps, see read_contact_radius
   double contact_radius_calibration = 0;  ///< of where edges lie in their rings, see fem::ContactEvents
-  double normal_force_uncertainty = 0;    ///< of reading the edge, see fem::ContactForce
-  double indentation_uncertainty = 0;     ///< see fem::LargestIndentation
-  double first_slip_uncertainty = 0;      ///< of reading the edge, see fem::EdgeRadius
+  /// Of the pressure on the axis, Pa: by what the exponent of the tip is at the rings that it is continued from.
+  /// Infinite under a flat face that ends among these.
+  double axis_pressure_uncertainty = 0;
+  double normal_force_uncertainty = 0;  ///< of reading the edge, see fem::ContactForce
+  double indentation_uncertainty = 0;   ///< see fem::LargestIndentation
+  double first_slip_uncertainty = 0;    ///< of reading the edge, see fem::EdgeRadius
   double shakedown_uncertainty = 0;
   /// The part of the answer that depends on the kind of the contact (ContactKind), or gross slip.
   std::variant<DiscAnswer, NoWearEvidence, ZoneAnswer, SurfaceAnswer, GrossSlipStart> of_kind;

@@ -12,6 +12,7 @@
 #include "comparison/simulation/fem_case/near_cycle.h"
 #include "comparison/simulation/fem_case/profile_in_units.h"
 #include "fem/contact/half_space.h"
+#include "fem/support/constants.h"
 #include "meshes/grading.h"
 
 namespace fretval {
@@ -299,6 +300,16 @@ Resolution first_resolution(const Case& input, const FemCase& fem) {
   return resolution;
 }
 
+/// Where the first step of a case begins, as an angle of its cycle.
+double first_step_of(const FemCase& fem) {
+  return fem.resolution.first_step == 0 ? 0 : fem.resolution.first_step * 2 * fem::pi / fem.steps_per_cycle();
+}
+
+void begin_later(double angle, fem::Motion& motion) {
+  for (auto* oscillations : {&motion.normal, &motion.tangential})
+    for (auto& oscillation : *oscillations) oscillation.phase += oscillation.order * angle;
+}
+
 }  // namespace
 
 double tangential_per_depth(const FemCase& fem) {
@@ -355,6 +366,7 @@ bool is_sliding_layer(const FemCase& fem) {
 }
 
 FemCase at_resolution(FemCase fem, const Resolution& resolution) {
+  begin_later(-first_step_of(fem), fem.motion);
   fem.resolution = resolution;
   if (fem.without_short_cycle) {
     const auto near = near_cycle_of(fem, resolution.n_creep_cycles);
@@ -365,6 +377,7 @@ FemCase at_resolution(FemCase fem, const Resolution& resolution) {
     fem.motion.locked = !near.creeps;
     if (near.creeps && fem.motion.tangential.size() == 1) fem.motion.tangential.front().phase = 0;
   }
+  begin_later(first_step_of(fem), fem.motion);
   fem.body.growth = resolution.growth;
   fem.body.far_radius = resolution.far_radius;
   fem.body.degree = resolution.degree;

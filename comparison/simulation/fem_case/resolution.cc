@@ -18,7 +18,8 @@ auto key(const Resolution& r) {
   return std::make_tuple(r.elements_per_radius, r.degree, r.growth, r.far_radius, r.steps_per_cycle, r.n_ramp_cycles,
                          r.periodicity, r.n_creep_cycles, r.worn_edge_ring, r.surface_growth, r.wear_jump,
                          r.edge_before_node, r.focus.has_value(), r.focus ? r.focus->inner : 0,
-                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0, r.n_angles, r.mesh_refinements);
+                         r.focus ? r.focus->outer : 0, r.focus ? r.focus->ring : 0, r.n_angles, r.mesh_refinements,
+                         r.first_step);
 }
 
 }  // namespace

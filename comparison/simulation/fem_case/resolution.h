@@ -30,8 +30,9 @@ struct Resolution {
   double surface_growth = 0.15;  ///< of rings that are graded along the surface, per ring
   double wear_jump = 0.01;       ///< worn depth of a jump over the largest indentation, see fem::WearControl
   double edge_before_node = usual_edge_before_node;  ///< that of the contact radius, or of the end of a focus
-  std::optional<Focus> focus = {};                   ///< empty: equal rings
-  unsigned n_angles = 16;                            ///< of the full contact, around the axis
+  double first_step = 0;            ///< how many steps after the motion its first step begins, where it repeats
+  std::optional<Focus> focus = {};  ///< empty: equal rings
+  unsigned n_angles = 16;           ///< of the full contact, around the axis
   /// Of a given mesh, by how many more refinements its cells are finer than its rings, which neighbours share then;
   /// rings are those of the mesh, or as many of them together as it takes. Empty: meshes are generated.
   std::optional<unsigned> mesh_refinements = {};

@@ -15,7 +15,7 @@ using Eigen::Index;
 struct TipRings {
   Index inner, outer;
 };
-constexpr TipRings of_smooth_tip{3, 5}, of_pointed_tip{7, 12};
+constexpr TipRings of_smooth_tip{3, outermost_tip_ring}, of_pointed_tip{7, 12};
 
 /// A pointed tip, n < 2, is continued from farther out: what its shape in the innermost rings is off by falls with the
 /// power n - 1 of the rings alone, but with the fourth power of the number of the ring (at n = 1.24 and 32 rings 1.6e-4

@@ -9,6 +9,9 @@
 
 namespace fretval::fem {
 
+/// Outermost of the rings from whose depths or pressures the pressure on the axis is continued, under a smooth tip.
+constexpr Eigen::Index outermost_tip_ring = 5;
+
 /// The largest pressure on the axis, p(0, t), in a period. Under a flat punch the pressure on the axis is F/(2 pi a^2),
 /// under a superposition of punches
 ///

@@ -196,6 +196,20 @@ TEST(ErrorBudget, MeasuresTheReadingOfEdgesElsewhereInTheirRings) {
   EXPECT_NEAR(budget.at(Quantity::stick_radius_shakedown).total(), safety * 1e-3 + 1e-5, 1e-12);
 }
 
+// What happens within steps shows by steps that begin half a step later; nothing happens where the contact is largest.
+TEST(ErrorBudget, MeasuresWhatHappensWithinStepsByOtherInstants) {
+  const auto resolution = resolution_for(1e-3);
+  CaseNeeds needs;
+  needs.begins_anywhere = true;
+  auto known = all_known(resolution, needs, [](const Resolution& r) { return 0.5 + 1e-3 * r.first_step; });
+  for (auto& [r, quantities] : known)
+    quantities[Quantity::contact_radius_max] = quantities.at(Quantity::stick_radius_shakedown);
+  const auto budget = error_budget(resolution, known, {}, needs);
+  EXPECT_NEAR(budget.at(Quantity::stick_radius_shakedown).total(), safety * 1e-3 / 2, 1e-12);
+  EXPECT_EQ(budget.at(Quantity::stick_radius_shakedown).largest()->source, ErrorSource::instants);
+  EXPECT_EQ(budget.at(Quantity::contact_radius_max).total(), 0);
+}
+
 TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
   const auto resolution = resolution_for(1e-3);
   const auto variants = variants_of(resolution, CaseNeeds());

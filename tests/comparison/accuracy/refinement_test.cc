@@ -174,6 +174,10 @@ TEST(Variants, AreOfWhatTheCaseNeeds) {
   EXPECT_EQ(with_memory.count(ErrorSource::start), 1U);
   EXPECT_EQ(creeping.size(), elastic.size() + 1);
   EXPECT_EQ(creeping.count(ErrorSource::creep), 1U);
+  auto anywhere = CaseNeeds();
+  anywhere.begins_anywhere = true;
+  EXPECT_EQ(sources(anywhere).count(ErrorSource::instants), 1U);
+  EXPECT_EQ(with_memory.count(ErrorSource::instants), 0U);
   // Rings of a worn profile end at its edge, and edges of any order are those of rings.
   EXPECT_EQ(elastic.count(ErrorSource::edge), 1U);
   for (const auto kind : {ContactKind::worn, ContactKind::annuli}) {
@@ -198,6 +202,7 @@ TEST(Refined, GoesTheOtherWayThanVariantsUntilItsLimit) {
     EXPECT_GT(n, 0) << name_of(source);
   }
   EXPECT_TRUE(refined(start, ErrorSource::edge) == refined(start, ErrorSource::rings));
+  EXPECT_TRUE(refined(start, ErrorSource::instants) == refined(start, ErrorSource::time_step));
 }
 
 // A plan takes a tenth of that share to be left.

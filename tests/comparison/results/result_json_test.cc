@@ -139,7 +139,7 @@ TEST(ResultJson, HasEveryNumberUnderItsKey) {
       "slip_inside_stick_zone": 0.01, "force_outside_stick_zone": 0.02, "touch_indentation": 1.03,
       "limiting_amplitude": 1.04, "absent": {"worn_radius": "finite elements did not wear the indenter"},
       "uncertainty": {"contact_radius_max": 0, "stick_radius_first_slip": 0, "stick_radius_shakedown": 0,
-        "normal_force_max": 0},
+        "normal_force_max": 0, "axis_pressure_max": 0},
       "error_estimate": {"stick_radius_shakedown": null,
         "normal_force_max": {"total": 0.03125, "shares": {"rings": {"estimate": 0.03125, "order": 2.5}}}}},
     "comparison": {

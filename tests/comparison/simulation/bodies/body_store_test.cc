@@ -69,7 +69,7 @@ TEST(BodyStore, MovesTheRingsOfABody) {
                                   const fem::Compliance& known) {
       constexpr Eigen::Index n = 32;
       const double force = punch_force(exact, n);
-      EXPECT_NEAR(punch_force(of, n) / force, 1, 2e-6) << thickness << " " << poisson_ratio;
+      EXPECT_NEAR(punch_force(of, n) / force, 1, 2e-6) << usual.thickness << " " << usual.poisson_ratio;
       EXPECT_GT(std::abs(1.03 * punch_force(known, n) / force - 1), 4e-3);
     };
     expect_force(body->normal.compliance, on_own_mesh.normal.compliance, unmoved->normal.compliance);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "comparison/accuracy/prepared_case.h"
+#include "fem/support/constants.h"
 #include "tests/comparison/computed_case.h"
 #include "tests/comparison/expect_parts.h"
 #include "tests/comparison/read_case.h"
@@ -40,6 +41,26 @@ TEST(FemCase, EdgeLiesElsewhereInItsRing) {
     const double rings = 1 / (body.scale * (body.contact_nodes[1] - body.contact_nodes[0]));
     EXPECT_NEAR(std::ceil(rings) - rings, before_node, 1e-9);
   }
+}
+
+// Steps that begin later belong to the same motion, however often a case is taken to another resolution.
+TEST(FemCase, StepsBeginLaterInTheSameMotion) {
+  auto input = read_case();
+  input.motion.tangential_frequency = 2 * input.motion.normal_frequency;
+  const auto fem = prepare({input}).front().fem;
+  auto later = fem.resolution;
+  later.first_step = 0.5;
+  const auto shifted = at_resolution(at_resolution(fem, with_steps(later, 0.5)), later);
+  const double angle = 0.5 * 2 * fem::pi / fem.steps_per_cycle();
+  const double after_ramp = 2 * fem::pi * (fem.resolution.n_ramp_cycles + 1);
+  for (const double t : {after_ramp, after_ramp + 1, after_ramp + 2.5}) {
+    EXPECT_NEAR(fem::normal_motion(shifted.motion, t).value, fem::normal_motion(fem.motion, t + angle).value, 1e-12);
+    EXPECT_NEAR(fem::tangential_motion(shifted.motion, t).value, fem::tangential_motion(fem.motion, t + angle).value,
+                1e-12);
+  }
+  const auto back = at_resolution(shifted, fem.resolution);
+  EXPECT_NEAR(fem::tangential_motion(back.motion, after_ramp).value,
+              fem::tangential_motion(fem.motion, after_ramp).value, 1e-12);
 }
 
 /// The case with a layer in the place of the half-space.
