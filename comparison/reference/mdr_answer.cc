@@ -27,14 +27,21 @@ mdr::HarmonicMotion displacements_of(const MdrCase& mdr) {
   return mdr.limiting && mdr.has_forces() ? mdr.limiting_state->motion : mdr.motion;
 }
 
-/// Largest error of the stick radii and the cycle of an answer by springs, over what the case allows.
+/// Largest error of what is asked of an answer by springs, over what the case allows: of the stick radii, of what
+/// forces do to the indenter, and of the cycle.
 double excess_of(const MdrCase& mdr, const MdrAnswer& answer) {
   const double a = answer.contact_radius_max.value_or(0);
   double most = 0;
   if (mdr.tolerance > 0)
     for (const auto& [quantity, error] : {std::pair(Quantity::stick_radius_first_slip, answer.stepped.first_slip),
-                                          std::pair(Quantity::stick_radius_shakedown, answer.stepped.shakedown)})
+                                          {Quantity::stick_radius_shakedown, answer.stepped.shakedown}})
       most = std::max(most, excess_of(mdr.tolerance, quantity, a, error, {a, 0, 0}));
+  if (mdr.tolerance > 0 && answer.indentation_max)
+    most = std::max(most, excess_of(mdr.tolerance, Quantity::indentation_max, *answer.indentation_max,
+                                    answer.stepped.indentation, {a, 0, 0}));
+  if (mdr.tolerance > 0 && answer.tangential_amplitude)
+    most = std::max(most, excess_of(mdr.tolerance, Quantity::tangential_amplitude, *answer.tangential_amplitude,
+                                    answer.stepped.tangential_amplitude, {a, 0, 0}));
   if (!mdr.cycle_tolerance || !answer.cycle) return most;
   const Scales scales{0, answer.cycle->sliding_force, answer.cycle->sliding_work};
   for (const auto& [quantity, reading] : answer.cycle->readings)

@@ -72,11 +72,11 @@ double share_above(double depth, double a, double deepest, const std::function<d
 }
 
 // Share of the tangential force that a spring at the edge makes which sticks as a whole or not at all, where the ring
-// around the stick zone is narrower than a spring: sums over springs are of first order then, and go to and fro.
+// around the stick zone is narrower than a spring: sums over springs are of first order then, and go to and fro. Depths
+// are those of the image g, as which an indenter on a layer is not pressed in.
 double unseen_slip(const ForcedResponse& response, const std::function<double(double)>& g, Eigen::Index n_springs) {
   const auto n = static_cast<double>(n_springs);
-  const double ring =
-      share_above(response.depths.shakedown, response.normal.contact_radius_max, response.largest_indentation, g);
+  const double a = response.normal.contact_radius_max, ring = share_above(response.depths.shakedown, a, g(a), g);
   return ring * n < 1 ? 1 / n : 0;
 }
 
@@ -133,9 +133,12 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   extrapolate([](auto& r) -> auto& { return r.bulk_work; });
   extrapolate([](auto& r) -> auto& { return r.tangential_work; });
   const double slip = unseen_slip(stepped.response, g, 2 * fineness.n_springs);
-  stepped.error.tangential_amplitude += slip * stepped.response.tangential_amplitude;
-  stepped.error.tangential_force_max += slip * stepped.response.tangential_force_max;
-  stepped.error.tangential_force_mean += slip * stepped.response.tangential_force_max;
+  if (prescribed.tangential_force) {
+    stepped.error.tangential_amplitude += slip * stepped.response.tangential_amplitude;
+  } else {
+    stepped.error.tangential_force_max += slip * stepped.response.tangential_force_max;
+    stepped.error.tangential_force_mean += slip * stepped.response.tangential_force_max;
+  }
   stepped.error.bulk_work +=
       stepped.response.bulk_work * unseen_edge(stepped.response.normal, body, g, 2 * fineness.n_springs);
   if (has_bounded_axis_pressure(g, outer_radius, body, stepped.response.normal.normal_force_min == 0))

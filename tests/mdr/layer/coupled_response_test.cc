@@ -170,6 +170,17 @@ TEST(CoupledResponse, UnderAForceIndentsAsFarAsTheLayerLets) {
   }
 }
 
+// An indenter is pressed into a layer by less than the image at its edge. The ring that slips is wider than a spring
+// all the same, so that the amplitude is known better than to the share of one; and a prescribed force is known.
+TEST(CoupledResponse, SeesTheRingThatSlipsOnALayer) {
+  const Layer layer{0.5, 0.5};
+  const double F = normal_force(layer_contact(parabola(1), layer, 1), 1);
+  const Prescribed prescribed{harmonic_motion({F, 0.1 * F, 0.2 * mu * F, 1, 1, 0.7}), true, true};
+  const auto [response, error] = coupled_response(parabola(1), layer, elastic(1), mu, prescribed, coarse);
+  EXPECT_LT(error.tangential_amplitude, 0.1 * response.tangential_amplitude / (2 * coarse.n_springs));
+  EXPECT_LT(error.tangential_force_max, 1e-4 * response.tangential_force_max);
+}
+
 TEST(CoupledResponse, ReadsTheEdgeOfTheLoads) {
   const SpringBed bed = spring_bed(parabola(1), 1, 50);
   EXPECT_NEAR(edge_of_loads(bed, (0.613 - bed.position).max(0)), 0.613, 1e-14);
