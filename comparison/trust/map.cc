@@ -208,7 +208,7 @@ ChangesWithBars with_bars(SceneChanges& changes, const Resolution& finest) {
   return found;
 }
 
-constexpr int most_refinements = 3;
+constexpr int most_refinements = 4;
 
 /// How far MDR over a half-space is off or, where that has no such quantity, MDR over the body; by everything where
 /// nothing is known.

@@ -26,8 +26,8 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input);
 /// Computes the change by friction whose direction turns, and by coupling where the scene has it: values by finite
 /// elements on rings and angles over those on the same rings, in which errors of rings and steps cancel. Its bar adds
 /// what rings, steps and angles leave, by the orders that coarser computations show (error_budget), and what has not
-/// settled. Where a bar is wider than a tenth of its effect, rings or time steps are halved once, on a layer
-/// never. fineness: rings and steps over the usual ones; with less than 1 nothing is halved. Throws fem::SolverError.
+/// settled. Where a bar is wider than a tenth of its effect, what adds most to it is refined, up to four
+/// times. fineness: rings and steps over the usual ones; with less than 1 nothing is halved. Throws fem::SolverError.
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness = 1);
 
 /// All points on all cores, in the order of the plan. known: points that are not computed again, as far as they are of
