@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <array>
 
+#include "comparison/case/case.h"
+#include "comparison/reference/mdr_values.h"
+#include "comparison/simulation/fe_answer.h"
+
 namespace fretval {
 namespace {
 
@@ -84,6 +88,21 @@ Outcome outcome_of(const Comparison& comparison) {
   if (any([](const Difference& d) { return d.asked && d.verdict == Verdict::not_resolved; }))
     return Outcome::not_resolved;
   return any([](const Difference& d) { return d.asked && !d.verdict; }) ? Outcome::not_proved : Outcome::agree;
+}
+
+std::optional<Outcome> outcome_of_sliding(const Case& input, const FeAnswer& fe_answer, const MdrAnswer& mdr_answer) {
+  const auto* fe = fe_answer.as<GrossSlipStart>();
+  const auto* mdr = mdr_answer.as<GrossSlipShare>();
+  const auto& balance = mdr_answer.steady_sliding_share;
+  const double tolerance = input.tolerance;
+  const bool must = balance && *balance < 1 - tolerance, may = !balance || *balance <= 1 + tolerance;
+  if (!fe && !mdr) return must ? std::optional(Outcome::disagree) : std::nullopt;
+  if (!fe || !mdr) {
+    const double share = balance.value_or(fe ? fe->amplitude : mdr->amplitude);
+    return !input.motion.path && std::abs(share - 1) <= tolerance ? Outcome::not_resolved : Outcome::disagree;
+  }
+  const bool too_early = balance && std::min(fe->amplitude, mdr->amplitude) < *balance - tolerance;
+  return may && !too_early ? Outcome::agree : Outcome::disagree;
 }
 
 }  // namespace fretval

@@ -9,6 +9,10 @@
 
 namespace fretval {
 
+struct Case;
+struct FeAnswer;
+struct MdrAnswer;
+
 /// Result of a comparison. agree: difference and error bar are within the tolerance; not_resolved: the bar is wider
 /// than the tolerance, so that the comparison decides nothing; disagree: the difference is larger than the tolerance,
 /// and the bar does not explain it.
@@ -67,6 +71,13 @@ enum class Outcome { agree, not_resolved, disagree, not_proved, other_model, not
 const char* name_of(Outcome outcome);
 
 Outcome outcome_of(const Comparison& comparison);
+
+/// The outcome of a case in which the whole contact slides by either method or by the balance of forces
+/// (MdrAnswer::steady_sliding_share); empty: in no case of these. If one method finds gross slip, the other has to find
+/// it, too, as have both where the balance demands it; neither may begin to slide below that share. not_resolved: one
+/// method alone finds it, and the share of the amplitudes at which the balance or, where that is not known, this method
+/// has it is within the tolerance of 1. Of a path no share is known.
+std::optional<Outcome> outcome_of_sliding(const Case& input, const FeAnswer& fe, const MdrAnswer& mdr);
 
 /// Whether no comparison speaks against the case.
 inline bool passes(Outcome outcome) {

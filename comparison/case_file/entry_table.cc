@@ -192,8 +192,8 @@ SectionTraits motion_entries() {
        entry({"Phase", "φ_0"}, {D::angle}, {any_number, ", or the word free"}, needed,
              "φ0 of the tangential motion; free: the two are not synchronised"),
        entry("Path", {}, "a file, relative to the case file", "oscillations",
-             "any motion instead of oscillations: CSV of t, d or the force F_N, u_x or the force F_x, units in its "
-             "second line; linear between its rows"),
+             "any motion instead of oscillations: CSV of t, d or the force F_N, u_x or the force F_x, and u_y or F_y "
+             "for friction as a vector, units in its second line; linear between its rows"),
        entry("Path repeats", {}, {"once", "forever"}, "an error with a Path",
              "once: one pass, from rest without tangential force at the first row; forever: the last row is the first "
              "again; a record that does not close is folded to its mean cycle"),

@@ -81,7 +81,7 @@ std::string outcome_text(const BatchLine& line) {
   if (line.failed()) return fmt::format("{}: FAILED: {}", line.name, line.failure);
   // In the order of the enumeration.
   static constexpr std::array words{"agrees",
-                                    "not resolved, its error bars are wider than the tolerance,",
+                                    "not resolved to the tolerance that was asked for,",
                                     "DISAGREES",
                                     "not proved, without error bars,",
                                     "MDR computes another model,",

@@ -196,13 +196,15 @@ std::string hardly_known(const ordered_json& result, const StoredDifference& one
 std::string half_space_text(const ordered_json& result) {
   const auto half_space = result.find("mdr_half_space");
   if (half_space == result.end()) return "";
+  constexpr double roundoff = 1e-9;
   std::string text;
   for (const auto quantity : {Quantity::stick_radius_first_slip, Quantity::stick_radius_shakedown,
                               Quantity::contact_radius_max, Quantity::normal_force_max, Quantity::indentation_max}) {
     const auto fe = stored_reading(result.at("fe"), quantity), mdr = stored_reading(*half_space, quantity);
     if (!fe || !fe->value || !mdr || !mdr->value) continue;
-    text += fmt::format("{}{} by {:+.3g} %", text.empty() ? "" : ", ", traits_of(quantity).title,
-                        100 * (*mdr->value / *fe->value - 1));
+    const double off_by = *mdr->value / *fe->value - 1;
+    if (std::abs(off_by) < roundoff) continue;  // of what is prescribed
+    text += fmt::format("{}{} by {:+.3g} %", text.empty() ? "" : ", ", traits_of(quantity).title, 100 * off_by);
   }
   return "over a half-space MDR would be off: " + text;
 }

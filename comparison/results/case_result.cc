@@ -160,15 +160,8 @@ std::string as_text(const nlohmann::ordered_json& json) {
 Outcome outcome_of(const CaseResult& result) {
   if (!result.is_compared()) return Outcome::not_compared;
   if (!beyond_mdr_model(result.input).empty()) return Outcome::other_model;
-  const auto* fe = result.fe.fe.as<GrossSlipStart>();
-  const auto* mdr = result.mdr.as<GrossSlipShare>();
-  const double tolerance = result.input.tolerance;
-  const auto& share = result.mdr.steady_sliding_share;
-  const bool must = share && *share < 1 - tolerance, may = !share || *share <= 1 + tolerance;
-  if (!fe && !mdr) return must ? Outcome::disagree : outcome_of(result.comparison);
-  if (!fe || !mdr) return share && may && !must ? Outcome::not_resolved : Outcome::disagree;
-  const bool too_early = share && std::min(fe->amplitude, mdr->amplitude) < *share - tolerance;
-  return may && !too_early ? Outcome::agree : Outcome::disagree;
+  if (const auto sliding = outcome_of_sliding(result.input, result.fe.fe, result.mdr)) return *sliding;
+  return outcome_of(result.comparison);
 }
 
 CaseResult result_of(const PreparedCase& prepared, MdrAnswers&& mdr, Proof proof, ProvedAnswer&& fe) {

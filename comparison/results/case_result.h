@@ -34,8 +34,7 @@ struct CaseResult {
   [[nodiscard]] bool is_compared() const { return fem_case.kind != ContactKind::annuli; }
 };
 
-/// The outcome of a case. If one method finds gross slip, the other has to find it, too, as have both where the balance
-/// of forces demands it (steady_sliding_share); neither may begin to slide below that share.
+/// The outcome of a case, with or without gross slip.
 Outcome outcome_of(const CaseResult& result);
 
 /// The result of a case from the answers of both methods, compared if MDR holds for it.

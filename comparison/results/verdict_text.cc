@@ -111,8 +111,10 @@ std::string open_text(const Differences& differences) {
                      agreeing_text(differences));
 }
 
+/// Three digits, and one more next to 100 %.
 std::string share_text(double share) {
-  return fmt::format("{:.1f} %", 100 * share);
+  constexpr double next_to_all = 0.01;
+  return fmt::format("{:.{}f} %", 100 * share, std::abs(share - 1) < next_to_all ? 2 : 1);
 }
 
 /// Text on gross slip: what each method found on its way to the steady motion, and what the balance of forces demands.
@@ -129,7 +131,8 @@ std::string sliding_text(const ordered_json& result) {
   if (once)
     by_mdr = fmt::format("finds it from t = {} on", with_unit(number_or_nan(mdr, "gross_slip_time"), 0, "s"));
   else if (slides(mdr))
-    by_mdr = fmt::format("finds it at {} of them", share_text(number_or_nan(mdr, "gross_slip")));
+    by_mdr = fmt::format("finds it at {} of {}", share_text(number_or_nan(mdr, "gross_slip")),
+                         slides(fe) ? "them" : "the amplitudes");
   auto text = fmt::format("finite elements {}, {} {}", by_fe, method, by_mdr);
   if (!once && slides(fe) && slides(mdr)) text += ", each while the amplitudes rise in its own way";
   const double share = number_or_nan(mdr, "steady_sliding_share");
@@ -168,6 +171,15 @@ std::string other_model_text(const ordered_json& result, const Differences& aske
 
 bool any_slides(const ordered_json& result) {
   return slides(result.at("fe")) || slides(result.at("mdr"));
+}
+
+/// The answer to a case in which any_slides.
+std::string sliding_answer(const ordered_json& result) {
+  if (slides(result.at("fe")) && slides(result.at("mdr")))
+    return "the whole contact slides: friction does not carry the tangential force";
+  return fmt::format(
+      "the whole contact slides by {} alone: friction just carries the tangential force, or just does not",
+      slides(result.at("fe")) ? "finite elements" : "MDR");
 }
 
 /// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.
@@ -265,7 +277,7 @@ Outcome stored_outcome(const ordered_json& result) {
 
 std::string plain_answer(const ordered_json& result) {
   const auto &scene = result.at("scene"), &fe = result.at("fe");
-  if (any_slides(result)) return "the whole contact slides: friction does not carry the tangential force";
+  if (any_slides(result)) return sliding_answer(result);
   const double in_contact = number_or_nan(fe, "contact_radius_max"),
                contact = std::isnan(in_contact) ? number_or_nan(scene, "contact_radius_unworn") : in_contact,
                stick = number_or_nan(fe, "stick_radius_shakedown"),

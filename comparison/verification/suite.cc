@@ -54,7 +54,7 @@ void compare(const PreparedCase& prepared, const ProvedAnswer& answer, SuiteRow&
     if (asked.proof != Proof::none) take_bar(answer.budget, quantity, compared);
     row.compared[quantity] = compared;
   }
-  row.slides = answer.fe.as<GrossSlipStart>() && reference.as<GrossSlipShare>();
+  row.sliding = outcome_of_sliding(prepared.input, answer.fe, reference);
 }
 
 SuiteRow run_case(const SuiteCase& asked, BodyStore& bodies, std::size_t n_threads, const ComputationsDone& told) {
@@ -145,7 +145,8 @@ std::string failure_of(const SuiteRow& row) {
   if (!row.failure.empty()) return row.failure;
   std::string failure = refusal_failure_of(row);
   if (!failure.empty()) return failure;
-  if (row.asked.refusal.empty() && row.compared.empty() && !row.slides) return "nothing was compared";
+  if (row.sliding == Outcome::disagree) return "only one method finds gross slip, or not where it has to";
+  if (row.asked.refusal.empty() && row.compared.empty() && !row.sliding) return "nothing was compared";
   for (const auto& [quantity, compared] : row.compared) {
     failure = failure_of(row.asked, quantity, compared);
     if (!failure.empty()) return failure;
@@ -158,7 +159,7 @@ RowVerdict verdict_of(const SuiteRow& row) {
   if (!row.asked.refusal.empty()) return RowVerdict::refused;
   const bool wide = std::any_of(row.compared.begin(), row.compared.end(),
                                 [](const auto& entry) { return entry.second.has_wide_bar(); });
-  return wide ? RowVerdict::inconclusive : RowVerdict::agrees;
+  return wide || row.sliding == Outcome::not_resolved ? RowVerdict::inconclusive : RowVerdict::agrees;
 }
 
 bool SuiteRun::passes() const {

@@ -51,20 +51,22 @@ struct SuiteRow {
   std::string refusal = {};  ///< message of the bad input or of the numerics that came instead of an answer
   std::string failure = {};  ///< message of any other exception, or of MDR
   ComparedQuantities compared = {};
-  bool slides = false;  ///< both methods find that friction does not carry a force, which leaves nothing to compare
-  double seconds = 0;   ///< see ProvedAnswer
+  std::optional<Outcome> sliding = {};  ///< see outcome_of_sliding: gross slip leaves nothing to compare
+  double seconds = 0;                   ///< see ProvedAnswer
   int n_refinements = 0, n_computations = 0;
 };
 
 /// agrees: every error is within its bar, and no bar is wider than its tolerance; inconclusive: errors are within their
-/// bars, but a bar is wider than its tolerance; refused: with the words that the case expects; fails: see failure_of.
+/// bars, but a bar is wider than its tolerance, or it is not resolved whether all of the contact slides; refused: with
+/// the words that the case expects; fails: see failure_of.
 enum class RowVerdict { agrees, inconclusive, refused, fails };
 const char* name_of(RowVerdict verdict);
 
 /// Why a row fails; empty: it does not. It fails with a refusal that is not expected, without the one that is or with
-/// another one, with any other exception, without anything compared (unless it slides), with a number that is not
-/// finite, with an error above its bar (above its tolerance where no bar was asked for), with an infinite bar although
-/// it was to meet the tolerance, and with a bar that is wider than its tolerance where the case has to be conclusive.
+/// another one, with any other exception, with gross slip that is not found where it has to be, without anything else
+/// compared, with a number that is not finite, with an error above its bar (above its tolerance where no bar was asked
+/// for), with an infinite bar although it was to meet the tolerance, and with a bar that is wider than its tolerance
+/// where the case has to be conclusive.
 std::string failure_of(const SuiteRow& row);
 
 RowVerdict verdict_of(const SuiteRow& row);

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "comparison/accuracy/fe_readings.h"
+#include "comparison/case/case.h"
 #include "comparison/reference/mdr_readings.h"
 #include "tests/comparison/some_cycle.h"
 
@@ -178,6 +179,43 @@ TEST(Comparison, IsNoBetterThanTheWorstOfWhatWasAskedFor) {
   budget = bars_of(fe);
   budget.erase(Quantity::normal_force_max);
   EXPECT_EQ(outcome_of(compare(mdr_with(0.5 * a), fe, a, tolerances_of(1e-3), budget)), Outcome::not_proved);
+}
+
+/// A tolerance of 0.1, and by which share of the amplitudes each method and the balance of forces have gross slip.
+std::optional<Outcome> of_sliding(std::optional<double> fe, std::optional<double> mdr,
+                                  std::optional<double> balance = {}, bool along_path = false) {
+  Case input;
+  input.tolerance = 0.1;
+  if (along_path) input.motion.path.emplace();
+  auto by_fe = fe_with(0.5 * a);
+  auto by_mdr = mdr_with(0.5 * a);
+  if (fe) by_fe.of_kind = GrossSlipStart{12, *fe};
+  if (mdr) by_mdr.of_kind = GrossSlipShare{*mdr};
+  by_mdr.steady_sliding_share = balance;
+  return outcome_of_sliding(input, by_fe, by_mdr);
+}
+
+// Both have to find it, where the balance of forces has it, and neither before.
+TEST(GrossSlip, IsHeldToTheBalanceOfForces) {
+  EXPECT_EQ(of_sliding({}, {}), std::nullopt);
+  EXPECT_EQ(of_sliding({}, {}, 0.95), std::nullopt) << "within the tolerance";
+  EXPECT_EQ(of_sliding({}, {}, 0.811), Outcome::disagree) << "neither finds it";
+  EXPECT_EQ(of_sliding(0.933, {}, 0.811), Outcome::disagree) << "one of both";
+  EXPECT_EQ(of_sliding(0.933, 0.859, 0.811), Outcome::agree);
+  EXPECT_EQ(of_sliding(0.933, 0.65, 0.811), Outcome::disagree) << "too early";
+  EXPECT_EQ(of_sliding(0.65, 0.859, 0.811), Outcome::disagree) << "too early";
+  EXPECT_EQ(of_sliding(0.933, 0.859, 1.2), Outcome::disagree) << "the steady motion does not slide";
+  EXPECT_EQ(of_sliding(0.933, 0.859), Outcome::agree);
+}
+
+TEST(GrossSlip, ByOneMethodAloneIsNotResolvedNextToAllOfTheAmplitudes) {
+  EXPECT_EQ(of_sliding({}, 0.99), Outcome::not_resolved);
+  EXPECT_EQ(of_sliding(0.91, {}), Outcome::not_resolved);
+  EXPECT_EQ(of_sliding(0.89, {}), Outcome::disagree);
+  EXPECT_EQ(of_sliding({}, 0.89), Outcome::disagree);
+  EXPECT_EQ(of_sliding(0.99, {}, 0.811), Outcome::disagree) << "the balance is known";
+  EXPECT_EQ(of_sliding({}, 0.7, 1.05), Outcome::not_resolved);
+  EXPECT_EQ(of_sliding({}, 1, {}, true), Outcome::disagree) << "along a path";
 }
 
 TEST(Comparison, OfACycleIsOverWhatSlidingWouldCost) {

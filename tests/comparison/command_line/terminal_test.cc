@@ -37,7 +37,7 @@ TEST(Outcome, IsALineOfTheLog) {
   EXPECT_EQ(outcome_text(good), "family/1: agrees in 1.2 s");
   EXPECT_EQ(outcome_text(line_with("family/2", 2e-3, Outcome::disagree)), "family/2: DISAGREES in 0.0 s");
   EXPECT_EQ(outcome_text(line_with("family/2", 2e-3, Outcome::not_resolved)),
-            "family/2: not resolved, its error bars are wider than the tolerance, in 0.0 s");
+            "family/2: not resolved to the tolerance that was asked for, in 0.0 s");
   EXPECT_EQ(outcome_text(line_with("family/2", 2e-3, Outcome::not_proved)),
             "family/2: not proved, without error bars, in 0.0 s");
   EXPECT_EQ(outcome_text(failed("family/3")), "family/3: FAILED: the pump is broken");

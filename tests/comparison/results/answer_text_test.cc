@@ -33,6 +33,7 @@ TEST(AnswerText, SaysWhatAHalfSpaceWouldHaveInThePlaceOfALayer) {
   result.half_space.emplace();
   result.half_space->contact_radius_max = 1;
   result.half_space->stick_radius_shakedown = 0.5;
+  result.half_space->normal_force_max = 42.5 * (1 + 1e-12);  // prescribed
   expect_parts(answer_to(result),
                {"over a half-space MDR would be off: stick radius, shakedown by -33.3 %, largest contact "
                 "radius by -20 %\n"});

@@ -174,6 +174,17 @@ TEST(VerdictSentence, OfGrossSlipHoldsBothToTheBalanceOfForces) {
                 "the steady motion slides from 81.1 % of the amplitudes on: this one is 23.3 % beyond"});
 }
 
+// Friction carries 99.98 % of the amplitudes, says one of the methods.
+TEST(VerdictSentence, OfGrossSlipByOneMethodAloneSaysWhichOne) {
+  auto sliding = result("not resolved");
+  sliding["mdr"]["gross_slip"] = 0.99983;
+  EXPECT_EQ(verdict_sentence(sliding),
+            "finite elements do not find that, the method of dimensionality reduction (MDR) finds it at 99.98 % of the "
+            "amplitudes");
+  EXPECT_EQ(plain_answer(sliding),
+            "the whole contact slides by MDR alone: friction just carries the tangential force, or just does not");
+}
+
 // A pass slides from an instant on, not from an amplitude; each method has its own.
 TEST(VerdictSentence, OfAPassThatSlidesHasTheInstants) {
   auto sliding = result("agree");

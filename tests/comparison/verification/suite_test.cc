@@ -83,8 +83,12 @@ TEST(SuiteRow, AcceptsARefusalOnlyWhereItIsExpected) {
 TEST(SuiteRow, FailsWithoutAnyNumberOrWithAnotherException) {
   EXPECT_EQ(failure_of(SuiteRow{}), "nothing was compared");
   SuiteRow sliding;
-  sliding.slides = true;
-  EXPECT_EQ(failure_of(sliding), "");
+  sliding.sliding = Outcome::agree;
+  EXPECT_EQ(verdict_of(sliding), RowVerdict::agrees);
+  sliding.sliding = Outcome::not_resolved;
+  EXPECT_EQ(verdict_of(sliding), RowVerdict::inconclusive);
+  sliding.sliding = Outcome::disagree;
+  EXPECT_EQ(failure_of(sliding), "only one method finds gross slip, or not where it has to");
   auto row = row_of(1e-3, 2e-3);
   row.failure = "std::bad_alloc";
   EXPECT_EQ(verdict_of(row), RowVerdict::fails);
