@@ -67,12 +67,13 @@ double of_first_and_third_order(double fine, double coarse) {
   return std::abs(coarse - 8 * fine) / 6 + std::abs(coarse - 2 * fine) / 42;
 }
 
-/// The error share of a variant; infinite where only some of the computations have the quantity.
+/// The error share of a variant; infinite where only some of the computations have the quantity, or where the coarser
+/// of two was read without knowing it.
 ErrorShare share_of(const Variant& variant, const Refinements& values, Quantity quantity, const CaseNeeds& needs) {
   const auto expected = expected_order(variant.source, quantity, needs);
   const auto source = variant.source;
   const double difference = std::abs(values.fine - values.medium);
-  if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)))
+  if (std::isnan(difference) || std::isnan(values.coarse.value_or(0)) || std::isinf(values.medium_reading))
     return {source, std::numeric_limits<double>::infinity(), std::nullopt};
   if (source == ErrorSource::element_order)
     return {source, element_error(difference, variant.reference.degree, variant.resolution.degree), std::nullopt};
@@ -191,6 +192,7 @@ ErrorBar error_bar(Quantity quantity, const std::vector<Variant>& variants, cons
       found.coarse = medium - change(varied, coarse);
       found.medium_reading = uncertainty_of(readings, varied, quantity);
       found.coarse_reading = uncertainty_of(readings, coarse, quantity);
+      if (std::isinf(found.coarse_reading)) found.coarse.reset();
     }
     bar.shares.push_back(share_of(variants[i], found, quantity, needs));
   }

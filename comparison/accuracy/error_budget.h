@@ -54,7 +54,7 @@ ErrorShare richardson(ErrorSource source, const Refinements& values, const Expec
 /// The budget of the quantities at a resolution. known: the quantities there and at each of its variants_of (empty if
 /// the numerics failed), with their references; edge: the uncertainty of reading the edges (fem::EdgeRadius), by
 /// quantity. That of the contact radius comes from the time steps, and is part of their share. readings: uncertainties
-/// of reading the edges at variants, as far as they are known.
+/// of reading the edges at variants, as far as they are known; infinite: the value there says nothing.
 ///
 /// Rings: third order, second where they are graded to a worn edge (-4.1e-4, -2.0e-4, -4.3e-5, -9.9e-6 at 16 to 128
 /// rings), first for what the worn edge lets through, in a ring that shrinks with the square. The tangential amplitude

@@ -164,8 +164,10 @@ void read_axis_pressure(const FemCase& fem, const fem::ContactProblem& problem, 
   const auto largest = largest_with(exponent);
   if (!largest) return;
   answer.axis_pressure_max = *largest * fem.units.pressure();
-  const double farther_out = std::max(exponent_at(problem.series.radii()[fem::outermost_tip_ring], fem), sharp);
-  if (exponent == bluntest && farther_out < bluntest)
+  const double outermost = problem.series.radii()[fem::outermost_tip_ring],
+               farther_out = std::max(exponent_at(outermost, fem), sharp);
+  const bool face_ends = fem.profile(outermost / 2) <= 0 && fem.profile(outermost) > 0;
+  if (exponent == bluntest && (face_ends || farther_out < bluntest))
     answer.axis_pressure_uncertainty = std::numeric_limits<double>::infinity();
   else if (std::abs(farther_out - exponent) > roundoff)
     answer.axis_pressure_uncertainty =

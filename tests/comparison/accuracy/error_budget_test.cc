@@ -217,12 +217,15 @@ TEST(ErrorBudget, KnowsWhatTheReadingOfAQuarterOfTheRingsLeavesOpen) {
   const auto known = all_known(resolution, CaseNeeds(), [&](const Resolution& r) {
     return r == quarter ? 0.44 : r == half ? 0.501 : 0.5;
   });
-  const auto bar_with = [&](const Resolution& read) {
-    const std::map<Resolution, Quantities> readings{{read, {{Quantity::stick_radius_shakedown, 0.02}}}};
+  const auto bar_with = [&](const Resolution& read, double uncertainty = 0.02) {
+    const std::map<Resolution, Quantities> readings{{read, {{Quantity::stick_radius_shakedown, uncertainty}}}};
     return error_budget(resolution, known, {}, CaseNeeds(), readings).at(Quantity::stick_radius_shakedown).total();
   };
   EXPECT_NEAR(bar_with(half), 3 * 0.06 / 63, 1e-12);
   EXPECT_NEAR(bar_with(quarter), 3 * 0.04 / 63, 1e-12);
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  EXPECT_NEAR(bar_with(quarter, unknown), 3 * 0.001 / 7, 1e-12) << "the one difference that is left";
+  EXPECT_EQ(bar_with(half, unknown), unknown);
 }
 
 TEST(ErrorBudget, OfTheCyclesToShakedownTakesTheStartAsItIs) {
