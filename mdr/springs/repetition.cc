@@ -25,4 +25,21 @@ bool Repetition::reached(double change) {
   return change <= periodicity_ || (jumps_ && change <= largest_of_jumps && periods_since_least_ >= many_periods);
 }
 
+bool still_settles(const std::vector<Eigen::ArrayXd>& slip_of_periods, double allowed) {
+  constexpr std::size_t many_periods = 10;
+  constexpr int most_rises = 1;  // springs that touch from step to step scatter
+  constexpr double settled_share = 0.01;
+  const std::size_t n = slip_of_periods.size();
+  if (n <= many_periods) return false;
+  const Eigen::ArrayXd& last = slip_of_periods.back();
+  const Eigen::Index innermost =
+      std::find_if(last.begin(), last.end(), [=](double slip) { return slip > allowed; }) - last.begin();
+  if (innermost == last.size()) return false;
+  int rises = 0;
+  for (std::size_t k = n - many_periods; k < n; ++k)
+    rises += slip_of_periods[k][innermost] >= slip_of_periods[k - 1][innermost];
+  return rises <= most_rises &&
+         last[innermost] < (1 - settled_share) * slip_of_periods[n - 1 - many_periods][innermost];
+}
+
 }  // namespace fretval::mdr

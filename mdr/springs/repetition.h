@@ -1,6 +1,8 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <limits>
+#include <vector>
 
 #include "mdr/rheology/prony_body.h"
 #include "mdr/springs/spring_step.h"
@@ -33,5 +35,11 @@ class Repetition {
   double least_ = std::numeric_limits<double>::infinity();
   int periods_since_least_ = 0;
 };
+
+/// Whether the stick zone still grows from period to period: whether the innermost of the springs that slipped by more
+/// than allowed in the last period slips ever less: more in one of the last ten periods at most, and less by a
+/// hundredth at least over all of them. Under a body much stiffer in motion than at rest slip locks in little traction,
+/// and dies out long after tractions seem to repeat.
+bool still_settles(const std::vector<Eigen::ArrayXd>& slip_of_periods, double allowed);
 
 }  // namespace fretval::mdr

@@ -76,7 +76,8 @@ struct Margins {
   }
 };
 
-/// Steps a foundation of springs until its tractions repeat, and measures the last period: what independent springs
+/// Steps a foundation of springs until its tractions repeat and its stick zone grows no more, and measures the last
+/// period: what independent springs
 /// (mdr/springs/spring_history.h) and those that a layer couples (mdr/layer/coupled_history.h) have in common. A
 /// Foundation has
 ///
@@ -109,7 +110,9 @@ class SteppedHistory {
       step_through(period);
       if (period < control_.n_ramp_periods) continue;
       change = change_of_tractions(start_, state_, mu_);
-      const bool repeats = repetition.reached(std::max(change, jump.to_come()));
+      const bool settles =
+          still_settles(slip_of_periods_, settling_slip * largest_shift_) && period + 1 < control_.max_periods;
+      const bool repeats = repetition.reached(std::max(change, jump.to_come())) && !settles;
       if (repeats || (control_.slips_little && control_.slips_little(slip_of_periods_.back())))
         return measured_again(period);
       // With slips_little the slip of every period is asked for, so that none may be jumped over.

@@ -201,7 +201,8 @@ void take_cycle(const mdr::HarmonicMotion& motion, const mdr::CommonCycle& cycle
   fem.motion.indentation = motion.indentation / normal;
   fem.motion.normal = oscillations(motion.normal, cycle.normal_orders, normal);
   fem.motion.tangential = oscillations(motion.tangential, cycle.tangential_orders, tangential);
-  fem.motion.locked = motion.phase_locked;
+  const bool moves_both_ways = !fem.motion.normal.empty() && !fem.motion.tangential.empty();
+  fem.motion.locked = motion.phase_locked || !moves_both_ways;
 }
 
 Stiffening stiffening_of(const FemCase& fem) {

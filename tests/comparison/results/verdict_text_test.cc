@@ -90,6 +90,7 @@ TEST(PlainAnswer, HasAHeadlineOfItsOwnForEachKindOfContact) {
   EXPECT_EQ(plain_answer(pass), "in this pass the contact grows from a touch to 1.10 mm");
   auto sliding = result("agree");
   sliding["mdr"]["gross_slip"] = 0.859;
+  sliding["fe"]["gross_slip"] = {{"time", 12}, {"amplitude", 0.933}};
   EXPECT_EQ(plain_answer(sliding), "the whole contact slides: friction does not carry the tangential force");
 }
 

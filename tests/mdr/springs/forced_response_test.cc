@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
+#include <vector>
 
 #include "mdr/motion/force_control.h"
 #include "mdr/profiles/indentation.h"
+#include "mdr/rheology/rheology.h"
 #include "mdr/stick/limiting_state.h"
 
 namespace fretval::mdr::forced_response_test {
@@ -182,6 +185,43 @@ TEST(ForcedResponse, SaysThatTheContactSlides) {
   auto prescribed = both_forces(0);
   prescribed.motion.tangential[0].amplitude = 0.4;
   EXPECT_THROW(forced_response(profiles[0], elastic(1e6), mu, prescribed), std::runtime_error);
+}
+
+/// Load of a spring at g = 0 that is pressed throughout, over its relaxed stiffness: the linear response to the
+/// indentations of a period, both ends included, by their Fourier series.
+std::vector<double> load_at_centre(const PronyBody& body, const std::vector<double>& indentation, double frequency) {
+  constexpr int n_harmonics = 30;
+  const std::size_t n = indentation.size() - 1;
+  std::vector<double> load(n, 0);
+  for (int h = 0; h <= n_harmonics; ++h) {
+    std::complex<double> coefficient = 0;
+    for (std::size_t k = 0; k < n; ++k)
+      coefficient += indentation[k] * std::polar(h == 0 ? 1. : 2., -2 * pi * h * static_cast<double>(k) / n);
+    coefficient *= complex_modulus_ratio(body, 2 * pi * h * frequency) / static_cast<double>(n);
+    for (std::size_t k = 0; k < n; ++k)
+      load[k] += (coefficient * std::polar(1., 2 * pi * h * static_cast<double>(k) / n)).real();
+  }
+  return load;
+}
+
+// 33 times as stiff in motion as at rest: slip inside the stick zone goes on for 1,000 periods, long after tractions
+// seem to repeat. What sticks in the end follows from the indentation alone, by linear response: the means of the least
+// margins mu (p_0(t) - g) -+ t(t).
+TEST(ForcedResponse, WaitsForSlipThatDiesOutSlowly) {
+  const PronyBody body{1, {32}, {0.94}, 2.8};
+  const double f = 0.353, u = 2.06e-3, phase = 5.476;
+  const Prescribed prescribed{{0.0391, {{0.0254, f, 0}}, {{u, f, phase}}, true}, true, false};
+  const auto response = forced_response(parabola(1), body, 1.81, prescribed, {50, 180, 4, 1e-7, 48}).response;
+  const auto pressed = load_at_centre(body, response.normal.indentation, f);
+  const auto ratio = complex_modulus_ratio(body, 2 * pi * f);
+  double forward = 1e300, backward = 1e300;
+  for (std::size_t k = 0; k < pressed.size(); ++k) {
+    const double angle = 2 * pi * static_cast<double>(k) / pressed.size() + phase,
+                 pull = (u * ratio * std::polar(1., angle)).real() / (1.5 * 1.81);
+    forward = std::min(forward, pressed[k] - pull);
+    backward = std::min(backward, pressed[k] + pull);
+  }
+  EXPECT_NEAR(response.depths.shakedown / ((forward + backward) / 2), 1, 2e-3);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "comparison/accuracy/prepared_case.h"
 #include "fem/support/constants.h"
@@ -112,6 +113,19 @@ TEST(FemCase, UnlockedPhaseFollowsTheWorstPhase) {
   // Measured 1.3e-3 at this coarse tolerance of 1e-2; a locked phase of 90 degrees is 0.2 a away.
   EXPECT_NEAR(*fe.stick_radius_shakedown, *answer.stick_radius_shakedown, 5e-3 * answer.contact_radius_max.value());
   EXPECT_NEAR(*fe.stick_radius_first_slip, *answer.stick_radius_first_slip, 5e-3 * answer.contact_radius_max.value());
+}
+
+// What moves in one direction alone has no phase that could drift.
+TEST(FemCase, AnUnlockedPhaseNeedsMotionInBothDirections) {
+  Case input = read_case();
+  input.motion.phase.reset();
+  const auto is_locked = [&] { return prepare({input}).front().fem.motion.locked; };
+  EXPECT_FALSE(is_locked());
+  const double amplitude = std::exchange(input.motion.normal_amplitude, 0);
+  EXPECT_TRUE(is_locked());
+  input.motion.normal_amplitude = amplitude;
+  input.motion.tangential_amplitude = 0;
+  EXPECT_TRUE(is_locked());
 }
 
 /// The motion of a case as a table of so many rows a period.
