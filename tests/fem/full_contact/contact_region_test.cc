@@ -71,13 +71,15 @@ TEST(ContactRegion, ToARingEndsWithTheLastRing) {
   const auto grid = angular_grid(4);
   const std::vector<double> radii{0, 0.1, 0.2, 0.4, 0.5};
   Eigen::VectorXi n_inside(4);
-  n_inside << 3, 2, 2, 2;
+  n_inside << 3, 2, 2, 1;
   const auto region = region_to_a_ring(radii, grid, n_inside);
   EXPECT_EQ(region.edges[0], 0.4);
   EXPECT_EQ(region.edges[1], 0.2);
-  EXPECT_DOUBLE_EQ(region.edge_uncertainty, 0.2) << "the ring beyond";
+  EXPECT_EQ(region.edges[3], 0.1);
+  EXPECT_DOUBLE_EQ(region.edge_uncertainty, 0.2) << "the widest ring beside an edge";
   // Of the disc whose area changes as if the edge moved by a ring at all angles, to first order in that.
-  EXPECT_NEAR(region.uncertainty, (0.4 * 0.2 + 3 * 0.2 * 0.2) / 4 / std::sqrt((0.16 + 3 * 0.04) / 4), 1e-12);
+  EXPECT_NEAR(region.uncertainty, (0.4 * 0.2 + 2 * 0.2 * 0.2 + 0.1 * 0.1) / 4 / std::sqrt((0.16 + 2 * 0.04 + 0.01) / 4),
+              1e-12);
 }
 
 TEST(ContactRegion, OfNothingIsEmpty) {

@@ -89,6 +89,18 @@ TEST(SampledPath, RisesFromRestOrBeginsAtItsFirstRow) {
   EXPECT_NEAR(tangential_path(once), 0.2 + 0.5 + 0.3, 1e-15);
 }
 
+// Along y it departs from its own rest.
+TEST(SampledPath, MovesAcrossFromItsRestThere) {
+  auto path = saw(true);
+  path.transverse = {0.4, 0.6, 0.5, 0.4};
+  path.rest_transverse = 0.45;
+  auto motion = along_path(path);
+  motion.n_ramp_cycles = 2;
+  EXPECT_NEAR(transverse_motion(motion, 6 * pi + 1).value, 0.15, 1e-14);
+  EXPECT_NEAR(transverse_motion(motion, 6 * pi + 1.25).value, 0.1, 1e-14);
+  EXPECT_NEAR(transverse_motion_inside(motion, 6 * pi + 1, 6 * pi + 1.2).rate, -0.2, 1e-14);
+}
+
 struct Pass {
   NormalHistory normal;
   FrictionHistory friction;

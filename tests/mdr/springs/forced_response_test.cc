@@ -36,6 +36,14 @@ TEST(ForcedResponse, OfAnElasticBodyIndentsLikeTheElasticContact) {
   }
 }
 
+TEST(ForcedResponse, KnowsBothExtremesOfTheNormalForce) {
+  const Prescribed prescribed{{1e-3, {{3e-4, 1, 0}}, {{0.01, 1, 0}}, true}, false, true};
+  const auto normal = forced_response(parabola(1e-2), elastic(1e6), mu, prescribed).response.normal;
+  const auto hertz = [](double depth) { return 16. / 3 * 1e6 * std::sqrt(1e-2 * depth) * depth; };
+  EXPECT_NEAR(normal.normal_force_max / hertz(1.3e-3), 1, 1e-6);
+  EXPECT_NEAR(normal.normal_force_min / hertz(0.7e-3), 1, 1e-6);
+}
+
 // Under a steady normal force: Cattaneo and Mindlin, (3 mu/2)(d - g(c)) on either side. Where the slip ends inside its
 // spring, 2e-5 are left.
 TEST(ForcedResponse, SlidesLikeCattaneoAndMindlin) {

@@ -137,6 +137,10 @@ TEST(StickRadii, OfAWornProfileAreThoseOfTheUnwornOneButAtMostItsOwn) {
   EXPECT_NEAR(*worn_to(1.5).first_slip, std::sqrt(2), tolerance);
   EXPECT_EQ(*worn_to(1.5).shakedown, 1.5);
   EXPECT_NEAR(*worn_to(2).shakedown, std::sqrt(2.8), tolerance);
+  const auto of_harmonics =
+      stick_radii(limiting_profile(parabola(4), 1.5, 1.3), elastic(1), 1, harmonic_motion(motion));
+  EXPECT_NEAR(*of_harmonics.first_slip, std::sqrt(2), tolerance);
+  EXPECT_EQ(*of_harmonics.shakedown, 1.5);
   EXPECT_FALSE(stick_radii(limiting_profile(parabola(4), 1, 2), elastic(1), 1, locked(1, 0, 0)).shakedown);
 }
 

@@ -47,7 +47,8 @@ TEST(ColumnChoice, IsRefusedWhereItIsNotClear) {
 TEST(ColumnChoice, SimplifiesNames) {
   EXPECT_EQ(simplified_name("E_stor [MPa]"), "estor");
   EXPECT_EQ(simplified_name("Storage-Modulus"), "storagemodulus");
-  EXPECT_EQ(simplified_name("G\u2033"), "g''");
+  for (const char* loss : {"G\u2033", "G\u201d", "G\"", "G''", "G\u2032\u2032"})
+    EXPECT_EQ(simplified_name(loss), "g''");
   EXPECT_EQ(simplified_name("G\u2032 (mean)"), "g'");
 }
 

@@ -42,6 +42,11 @@ TEST(TextLines, AreUtf8WhateverTheyWere) {
   EXPECT_EQ(texts_of(std::string("\xFE\xFF\0d\0\n\0001", 8)), (Texts{"d", "1"}));
 }
 
+// C0 and C1 begin no character of UTF-8, and are letters of Latin 1.
+TEST(TextLines, OfBytesThatUtf8DoesNotHaveAreLatin1) {
+  EXPECT_EQ(texts_of("\xC0\xAF;\xC1\xBF\n"), (Texts{"\u00c0\u00af;\u00c1\u00bf"}));
+}
+
 TEST(TextLines, RefuseWhatIsNoText) {
   EXPECT_THROW(texts_of(std::string("a\nb\0c", 5)), std::invalid_argument);
   EXPECT_THROW(texts_of(std::string(20'000, 'x')), std::invalid_argument);

@@ -50,5 +50,11 @@ TEST(AxisPressure, IsTheLargestOfThePeriod) {
   EXPECT_FALSE(axis_pressure_max(problem.series, small.pressure, radius.head(1), 2));
 }
 
+// As Hertz has it, in proportion to the radius: here of six rings, one more than it is read from.
+TEST(AxisPressure, OfAContactOfSixRingsCounts) {
+  const auto& problem = normal_half_space(32);
+  EXPECT_NEAR(relative_pressure(problem, 2, 0.19), 1, 0.02);
+}
+
 }  // namespace
 }  // namespace fretval::fem::axis_pressure_test

@@ -74,6 +74,10 @@ TEST(CycleResponse, CarriesWhatReadingTheForcesLeavesOpen) {
   EXPECT_EQ(with_memory.friction_work, 1e-4);
   EXPECT_NEAR(with_memory.tangential_work, 4 * 0.002 * 0.1, 1e-7);
   EXPECT_NEAR(with_memory.cycle_work, 4 * (0.002 * 0.1 + 0.003 * 0.2), 1e-7);
+  s.normal.force_beyond_uncertainty.setConstant(0.001);
+  const auto with_rim = cycle_response({1, {1}, {0.5}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
+  EXPECT_NEAR(with_rim.cycle_work, 4 * (0.002 * 0.1 + 0.004 * 0.2), 1e-7);
+  EXPECT_EQ(with_rim.tangential_work, with_memory.tangential_work);
   const auto elastic = cycle_response({1, {}, {}, 0}, 0.5, s.motion, 2.6, s.normal, s.friction).uncertainty;
   EXPECT_NEAR(elastic.friction_work, 4 * 0.002 * 0.1, 1e-7);
   s.friction.unseen_slip_energy = 0.01;
