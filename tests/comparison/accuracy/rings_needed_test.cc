@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <functional>
+#include <limits>
 
 #include "comparison/simulation/compute_case.h"
 #include "tests/comparison/given_mesh.h"
@@ -38,6 +39,10 @@ TEST(RingsNeeded, FollowFromTheOrder) {
   EXPECT_NEAR(rings_with({{{ErrorSource::grading, 2e-2, {}}}})->needed.value(), 40, 2);
   // Where something else leaves nothing, half of the tolerance is what the mesh may take.
   EXPECT_NEAR(rings_with({{{ErrorSource::rings, 2e-2, {}}, {ErrorSource::time_step, 0.1, {}}}})->needed.value(), 40, 2);
+}
+
+TEST(RingsNeeded, AreTwiceAsManyWhereABarIsUnknown) {
+  EXPECT_EQ(rings_with({{{ErrorSource::rings, std::numeric_limits<double>::infinity(), {}}}})->needed, 40U);
 }
 
 // Rings and the edge that is read from them are eight times too wide together, of second order.

@@ -221,6 +221,10 @@ TEST(CaseFile, OfTwoEntriesIsAMap) {
   EXPECT_EQ(cases[4].sweep->second_value, 1e-5);
   expect_parts(refusal([&] { read_case_file(folder.write("case.prm", map("Friction / Coefficient"))); }),
                {"Sweep / Second entry = Friction / Coefficient", "another one than the Entry"});
+  const auto of_one_section =
+      replace(map("Motion / Tangential amplitude"), "Entry = Friction / Coefficient\n  set Values = 0.3, 0.5",
+              "Entry = Motion / Normal amplitude\n  set Values = 10 um, 20 um");
+  EXPECT_EQ(read_case_file(folder.write("case.prm", of_one_section)).size(), 6U);
 }
 
 // 400 times 400.

@@ -258,6 +258,15 @@ TEST(RunCommand, RefusesBadCasesAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder.path() / "out"));
 }
 
+TEST(RunCommand, TakesTheCaseFilesOfAFolderInEitherFormat) {
+  const ScratchFolder folder;
+  const auto err_of = [&] { return fretval_run("run " + folder.path().string(), folder).err; };
+  folder.write("notes.txt", "");
+  EXPECT_NE(err_of().find("the folder has no case files (.prm or .json)"), std::string::npos);
+  folder.write("case.json", R"({"Indenter": {"Shape": "star"}})");
+  EXPECT_NE(err_of().find("case.json: Indenter / Shape = star"), std::string::npos) << err_of();
+}
+
 TEST(RunCommand, AsksForAFileOfJUnitBeforeItComputes) {
   const ScratchFolder folder;
   const auto file = folder.write("case.prm", valid_case);

@@ -114,6 +114,7 @@ TEST(PathTable, OfAPassMayBeginAsTheIndenterTouches) {
   EXPECT_FALSE(read("t,d,u_x\ns,um,um\n0,1,0\n1,100,1\n", false).from_touch);
   EXPECT_GT(path.normal.front(), 0);
   EXPECT_LT(path.normal.front(), 1e-8 * path.normal.back());
+  EXPECT_FALSE(read("t,d,u_x\ns,um,um\n0,0,0\n1,100,1\n2,0,0\n", true).from_touch) << "it comes back there";
 }
 
 TEST(PathTable, ThatRepeatsEndsWhereItBegins) {

@@ -149,11 +149,11 @@ TEST(Record, ThatNeitherClosesNorRepeatsIsRefused) {
 
 TEST(Record, ThatHardlyJumpsIsClosedByARamp) {
   std::vector<std::string> notes;
-  Case::Path path{{{0, 1, 2, 3}, {1e-4, 1.2e-4, 0.9e-4, 1.001e-4}, {0, 1e-6, -1e-6, 0}, true}, "rig.csv"};
+  Case::Path path{{{0, 1, 2, 3}, {1e-4, 1.2e-4, 0.9e-4, 1.001e-4}, {0, 1e-6, -1e-6, 2e-9}, true}, "rig.csv"};
   const auto closed = path_of_record(path, {}, notes);
   EXPECT_EQ(closed.normal.front(), closed.normal.back());
   EXPECT_NEAR(closed.reduction->normal_error, 1e-7, 1e-18);
-  expect_parts(notes.at(0), {"closed by a ramp"});
+  expect_parts(notes.at(0), {"rig.csv: closed by a ramp over the jumps of -1e-07 m and -2e-09 m from its end"});
 }
 
 // Between rows of -5 and 15 um it touches after a quarter of the way, in u_x as in t.

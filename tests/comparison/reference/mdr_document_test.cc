@@ -7,6 +7,7 @@
 
 #include "comparison/case_file/case_file.h"
 #include "comparison/reference/mdr_case.h"
+#include "comparison/support/constants.h"
 #include "mdr/stick/stick_radius.h"
 #include "tests/comparison/modulus_table.h"
 #include "tests/comparison/read_case.h"
@@ -71,6 +72,10 @@ TEST(MdrDocument, SpringsConfirmTheStickRadiiOfTwoFrequencies) {
   for (const char* key : {"stick_radius_first_slip", "stick_radius_shakedown"})
     EXPECT_NEAR(number(json, "springs", key) / number(json, "mdr", key), 1, 1e-5) << key;  // ramp and time step
   EXPECT_LT(number(json, "mdr", "stick_radius_first_slip"), number(json, "mdr", "stick_radius_shakedown"));
+  double deepest = 0;
+  for (double turn = 0; turn < 2 * pi; turn += 1e-4)
+    deepest = std::max(deepest, 1e-4 + 2e-5 * std::cos(turn) + 5e-6 * std::cos(2 * turn + pi / 6));
+  EXPECT_NEAR(number(json, "mdr", "contact_radius_max") / std::sqrt(1e-2 * deepest), 1, 1e-8);
   EXPECT_NEAR(number(json, "springs", "normal_force_max") / number(json, "mdr", "normal_force_max"), 1, 1e-5);
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <set>
 
 #include "comparison/report/drawing/figures.h"
@@ -73,6 +74,7 @@ TEST(CaseFigures, CaptionsAreOfWhatThereIs) {
   result.json["fe"]["stick_radius_shakedown"] = nullptr;
   const auto less = case_figures(result, read_cycle(result)).dump();
   expect_parts(less, {"The indenter before anything wears.", "Nothing sticks for good."});
+  EXPECT_TRUE(std::regex_search(less, std::regex("What each ring does in the [^.]*\\. Nothing sticks for good\\.")));
   for (const char* absent : {"where wear ends", "Below c", "Between c and a", "none inside c"})
     EXPECT_EQ(less.find(absent), std::string::npos) << absent;
 }
