@@ -33,7 +33,10 @@ ordered_json made_up_trust() {
 
 TEST(TrustSection, HasTheLadderAsAWaterfall) {
   const auto section = trust_section(made_up_trust());
-  const auto& rows = section.at("waterfall").at("figures").at(0).at("plot").at("rows");
+  const auto& plot = section.at("waterfall").at("figures").at(0).at("plot");
+  EXPECT_EQ(plot.at("sources").at(0), "larger than MDR has it");
+  EXPECT_EQ(plot.at("sources").at(1), "smaller");
+  const auto& rows = plot.at("rows");
   ASSERT_EQ(rows.size(), 4U);
   EXPECT_EQ(rows[0].at("label"), "a layer 2 mm thick");
   EXPECT_NEAR(rows[0].at("shares").at(0).get<double>(), 25, 1e-9);
