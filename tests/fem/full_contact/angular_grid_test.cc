@@ -61,6 +61,16 @@ TEST(AngularGrid, FindsThoseOfAPressureWhichPushesIntoTheBody) {
   }
 }
 
+// Values of either sign in turn are the sine of the highest order, and the cosine vanishes at all angles.
+TEST(AngularGrid, FindsThatOfThePressureThatTurnsFromAngleToAngle) {
+  const auto grid = angular_grid(12);
+  const Eigen::VectorXd pressure = (6 * grid.angles).array().sin();
+  EXPECT_NEAR(pressure.cwiseAbs().minCoeff(), 1, 1e-14);
+  const FourierOrder highest{6, Parity::odd};
+  for (const auto& amplitude : amplitudes_of(grid, SurfaceField::normal))
+    EXPECT_NEAR(amplitude.weights.dot(pressure), amplitude.order == highest ? -1 : 0, 1e-14) << amplitude.order.n;
+}
+
 // What a mirror leaves out changes nothing but the number of angles.
 TEST(AngularGrid, LeavesOutWhatMirrorsMakeTheSame) {
   for (const auto mirrors : {Mirrors::x, Mirrors::x_and_y}) {

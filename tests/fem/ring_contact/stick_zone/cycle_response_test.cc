@@ -199,6 +199,28 @@ TEST(CycleResponse, AlongAPathKnowsTheForcesInTheMiddleOfTheSteps) {
     }
 }
 
+// A force that pulls the indenter once by 0.3, from where it rests: what sliding by as much would cost.
+TEST(CycleResponse, OfASinglePassCountsTheWayFromRest) {
+  auto motion = one_frequency(0.8, 0, 0, 0);
+  motion.path = SampledPath{{0, 2 * pi}, {0.8, 0.8}, {0, 0.1}, 0.8, 0, false};
+  motion.tangential_force = true;
+  NormalHistory normal;
+  FrictionHistory friction;
+  normal.pieces = steps_of(*motion.path, 30);
+  const auto n = static_cast<Eigen::Index>(normal.pieces.size());
+  normal.steps_per_cycle = static_cast<int>(n);
+  friction.n_steps = n;
+  for (auto* series : {&normal.force_beyond, &normal.force_uncertainty, &normal.force_beyond_uncertainty,
+                       &friction.force_uncertainty, &friction.force_off_by_steps})
+    series->setZero(n);
+  for (auto& step : normal.pieces) step.fraction = 1;
+  normal.force.setConstant(n, 2);
+  normal.indentation.setConstant(n, 0.8);
+  friction.indenter = Eigen::VectorXd::LinSpaced(n, 0.3 / static_cast<double>(n), 0.3);
+  friction.force = friction.indenter / 3;
+  EXPECT_NEAR(cycle_response({1, {}, {}, 0}, 0.5, motion, 2, normal, friction).sliding_work, 0.5 * 2 * 0.3, 1e-14);
+}
+
 // A force that stands at its largest sample and falls from there within a step: its peak is no less than that sample
 // and no more than mu F_N. A smooth one is known, and so is one that is prescribed.
 TEST(CycleResponse, LeavesOpenWhereAForceThatBendsIsLargest) {
