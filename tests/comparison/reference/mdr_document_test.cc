@@ -259,6 +259,7 @@ TEST(MdrDocument, FractionalBodyOfOrderOneIsTheStandardSolid) {
       document_of(replace(valid_case, "standard solid", "fractional zener\n  set Fractional order = 1"));
   EXPECT_NEAR(number(fractional, "mdr", "stick_radius_shakedown") / number(solid, "mdr", "stick_radius_shakedown"), 1,
               1e-13);
+  EXPECT_NEAR(number(fractional, "mdr", "contact_radius_max"), std::sqrt(1e-2 * 1.2e-4), 1e-12);
 }
 
 // The springs step a Prony body that stands for the fractional one; the radii next to them need none.
