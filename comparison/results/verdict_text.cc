@@ -175,11 +175,13 @@ bool any_slides(const ordered_json& result) {
 
 /// The answer to a case in which any_slides.
 std::string sliding_answer(const ordered_json& result) {
-  if (slides(result.at("fe")) && slides(result.at("mdr")))
+  const auto outcome = stored_outcome(result);
+  const bool by_fe = slides(result.at("fe")), by_both = by_fe && slides(result.at("mdr"));
+  if (by_both || (outcome != Outcome::not_resolved && outcome != Outcome::disagree))
     return "the whole contact slides: friction does not carry the tangential force";
   return fmt::format(
-      "the whole contact slides by {} alone: friction just carries the tangential force, or just does not",
-      slides(result.at("fe")) ? "finite elements" : "MDR");
+      "the whole contact slides by {} alone{}", by_fe ? "finite elements" : "MDR",
+      outcome == Outcome::not_resolved ? ": friction just carries the tangential force, or just does not" : "");
 }
 
 /// With the prefix of the contact radius, three digits, and more where the length is a thousand of these units.

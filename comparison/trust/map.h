@@ -27,7 +27,7 @@ MapPoint point_by_mdr(const PlannedPoint& planned, const Case& input);
 /// elements on rings and angles over those on the same rings, in which errors of rings and steps cancel. Its bar adds
 /// what rings, steps and angles leave, by the orders that coarser computations show (error_budget), and what has not
 /// settled. Where a bar is wider than a tenth of its effect, what adds most to it is refined, up to four
-/// times. fineness: rings and steps over the usual ones; with less than 1 nothing is halved. Throws fem::SolverError.
+/// times. fineness: rings and steps over the usual ones; with less than 1 nothing is refined. Throws fem::SolverError.
 MapPoint computed_point(const PlannedPoint& planned, BodyStore& bodies, double fineness = 1);
 
 /// All points on all cores, in the order of the plan. known: points that are not computed again, as far as they are of

@@ -184,6 +184,9 @@ TEST(VerdictSentence, OfGrossSlipByOneMethodAloneSaysWhichOne) {
             "amplitudes");
   EXPECT_EQ(plain_answer(sliding),
             "the whole contact slides by MDR alone: friction just carries the tangential force, or just does not");
+  sliding = result("disagree");
+  sliding["fe"]["gross_slip"] = {{"time", 12}, {"amplitude", 0.5}};
+  EXPECT_EQ(plain_answer(sliding), "the whole contact slides by finite elements alone");
 }
 
 // A pass slides from an instant on, not from an amplitude; each method has its own.
