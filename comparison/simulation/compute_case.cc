@@ -26,7 +26,7 @@ fem::FrictionHistory friction_beside(const NormalRecord& record, const fem::Norm
     if (fem.kind == ContactKind::annuli)
       friction.step(record.pressures[k]);
     else
-      friction.step(record.pressures[k], record.instant(k, problems.normal.series.radii()));
+      friction.step(record.pressures[k], record.instant(k));
   return fem::friction_history(std::move(friction), normal, control);
 }
 

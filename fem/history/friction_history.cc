@@ -199,7 +199,7 @@ void WatchedFriction::step(const Eigen::VectorXd& pressure, const std::optional<
 }
 
 void WatchedFriction::step_beside(const NormalContact& normal) {
-  const auto& series = normal.problem().series;
+  const auto& series = normal.series();
   const NormalInstant instant{series.radii(), normal.reading.radius, normal.reading.force};
   if (series.is_half_space())
     step(normal.pressure, instant);

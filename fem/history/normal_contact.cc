@@ -6,6 +6,7 @@
 
 #include "fem/contact/force_balance.h"
 #include "fem/contact/require_room.h"
+#include "fem/ring_contact/contact_events.h"
 #include "fem/support/constants.h"
 #include "fem/support/solver_error.h"
 
@@ -28,6 +29,7 @@ NormalContact::NormalContact(const ContactProblem& problem, const RelaxationMode
       motion_(motion),
       steps_per_cycle_(steps_per_cycle),
       how_(how),
+      series_(touches_in_order() ? series_under(problem, profile) : problem.series),
       n_inside_flank_(n_inside_flank),
       times_(motion, steps_per_cycle),
       dt_(times_.begin(1)),
@@ -62,7 +64,7 @@ std::optional<ContactForce> NormalContact::sum(const Eigen::VectorXd& on_rings) 
 
 ContactForce NormalContact::read_elastic(const StaticContact& contact) const {
   if (const auto added_up = sum(contact.pressure)) return *added_up;
-  return contact_force(problem_.series, contact.pressure, contact.gap);
+  return contact_force(series_, contact.pressure, contact.gap);
 }
 
 void NormalContact::read(double depth, Attempt& made) const {
@@ -88,7 +90,7 @@ void NormalContact::read(double depth, Attempt& made) const {
     made.opening.value = made.balance_gap;
     series.to_displacements(made.opening.value);
   }
-  made.reading = contact_force(series, {pressure_made, made.depths_of_instant, made.opening, times});
+  made.reading = contact_force(series_, {pressure_made, made.depths_of_instant, made.opening, times});
 }
 
 double NormalContact::start_indentation() const {

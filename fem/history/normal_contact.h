@@ -53,6 +53,9 @@ class NormalContact {
   Eigen::VectorXd in_contact_for;  ///< time that rings are in contact at the end of the step, over a body with memory
 
   [[nodiscard]] const ContactProblem& problem() const { return problem_; }
+  /// That forces and edges are read from: of the problem, or under the profile (series_under) where rings touch in
+  /// order.
+  [[nodiscard]] const PunchSeries& series() const { return series_; }
   [[nodiscard]] const RelaxationModel& relaxation() const { return relaxation_; }
   [[nodiscard]] const Motion& motion() const { return motion_; }
   [[nodiscard]] int steps_per_cycle() const { return steps_per_cycle_; }
@@ -109,6 +112,7 @@ class NormalContact {
   const Motion& motion_;
   int steps_per_cycle_;
   ForceReading how_;
+  PunchSeries series_;
   std::optional<Eigen::Index> n_inside_flank_;
   StepTimes times_;
   double dt_;  // of the step that step_ is made for

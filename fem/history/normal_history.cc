@@ -173,7 +173,7 @@ class NormalWay {
 NormalHistory normal_history(NormalContact contact, const HistoryControl& control, const Beside& beside) {
   NormalHistory history;
   history.steps_per_cycle = contact.steps_per_cycle();
-  if (contact.touches_in_order()) history.touch_radii = contact.problem().series.radii();
+  if (contact.touches_in_order()) history.touch_radii = contact.series().radii();
   NormalWay way(contact, control, beside, history);
   history.periodicity = drive_to_period(way, way.shortening()).periodicity;
   return history;

@@ -62,4 +62,12 @@ ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd
   return events;
 }
 
+PunchSeries series_under(const ContactProblem& problem, const Eigen::VectorXd& profile) {
+  const auto& series = problem.series;
+  if (series.is_half_space()) return series;
+  Eigen::VectorXd radii = contact_events(problem.compliance, profile).radius;
+  radii[0] = series.radii()[0];  // the depth of a disc of one ring, not the place of the first touch
+  return series.with_depths_at(std::move(radii));
+}
+
 }  // namespace fretval::fem

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 
 #include "fem/condensation/compliance.h"
+#include "fem/ring_contact/contact_problem.h"
+#include "fem/ring_contact/punch_series.h"
 
 namespace fretval::fem {
 
@@ -24,5 +26,10 @@ struct ContactEvents {
 /// of pairs of rings, have eight times that error, and their difference takes it away (Richardson): 1.5e-7 are left.
 /// The innermost eight events are too close to the tip for that.
 ContactEvents contact_events(const Compliance& compliance, const Eigen::VectorXd& profile);
+
+/// The punch series of a contact that grows from the centre under a profile, with the depths of its rings at the radii
+/// of the events, where they are of fourth order. On a half-space under a parabola they are that anyway, and its series
+/// is left as it is. At a/H = 4 and 64 rings this makes the error of a force 5e-6 instead of 1.4e-5.
+PunchSeries series_under(const ContactProblem& problem, const Eigen::VectorXd& profile);
 
 }  // namespace fretval::fem

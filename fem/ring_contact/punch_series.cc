@@ -46,11 +46,9 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, Shar
       areas_(compliance.areas),
       by_load_(factor_->triangularView<Eigen::Lower>().solve(areas_)),
       per_load_(by_load_.cwiseInverse()),
-      half_space_(!compliance.half_space),
-      whole_rings_(Eigen::Matrix4Xd::Zero(n_stencil, areas_.size())) {
+      half_space_(!compliance.half_space) {
   auto radii = effective_radii(compliance);
   edges_ = std::move(radii.radius);
-  radii_ = std::move(radii.of_rings);
   const Index n = areas_.size();
   const Index n_small = half_space_ ? n : std::min(n, n_stencil);  // rings of the punch whose force per radius counts
   force_per_radius_ = by_load_.head(n_small).squaredNorm() / edges_[n_small];
@@ -58,9 +56,22 @@ PunchSeries::PunchSeries(const Compliance& compliance, SharedMatrix factor, Shar
   if (!half_space_)
     for (Index m = 0; m < n; ++m)
       places_.edges[m + 1] = places_.edges[m] + by_load_[m] * by_load_[m] / force_per_radius_;
+  put_depths_at(std::move(radii.of_rings));
+}
+
+PunchSeries PunchSeries::with_depths_at(Eigen::VectorXd radii) const {
+  PunchSeries moved = *this;
+  moved.put_depths_at(std::move(radii));
+  return moved;
+}
+
+void PunchSeries::put_depths_at(Eigen::VectorXd radii) {
+  radii_ = std::move(radii);
+  const Index n = radii_.size();
   places_.depths = radii_;
   if (!half_space_)
     for (double& place : places_.depths) place = interpolated(edges_, places_.edges, place);
+  whole_rings_.setZero(n_stencil, n);
   for (Index i = 1; i + 2 < n; ++i)
     for (Index k = 0; k < n_stencil; ++k)
       whole_rings_(k, i) =

@@ -27,6 +27,9 @@ class PunchSeries {
   /// factor: lower Cholesky factor of the compliance; inverse: of that.
   PunchSeries(const Compliance& compliance, SharedMatrix factor, SharedMatrix inverse);
 
+  /// The same with its depths at other radii, of which there is one for each ring.
+  [[nodiscard]] PunchSeries with_depths_at(Eigen::VectorXd radii) const;
+
   /// D_j of ring tractions, one column each.
   ///
   /// Of a stick margin mu p - |tau| they are the slip reserves: how far the indenter could move on tangentially before
@@ -97,6 +100,8 @@ class PunchSeries {
   [[nodiscard]] bool is_half_space() const { return half_space_; }
 
  private:
+  void put_depths_at(Eigen::VectorXd radii);
+
   template <class Label>
   [[nodiscard]] Integral integral_of(const Eigen::VectorXd& depths, const Label& label, Eigen::Index n,
                                      std::optional<double> end) const;

@@ -63,8 +63,8 @@ NormalRecord make_record(const FemCase& fem, const fem::ContactProblem& problem,
 
 }  // namespace
 
-fem::NormalInstant NormalRecord::instant(std::size_t step, const Eigen::VectorXd& touch_radii) const {
-  fem::NormalInstant instant{touch_radii, radii[step], forces[step]};
+fem::NormalInstant NormalRecord::instant(std::size_t step) const {
+  fem::NormalInstant instant{history.touch_radii, radii[step], forces[step]};
   if (!depths.empty()) instant.pressure_depths.emplace(depths[step].data(), depths[step].size());
   return instant;
 }

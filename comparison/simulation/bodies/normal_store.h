@@ -22,8 +22,8 @@ struct NormalRecord {
   std::vector<Eigen::VectorXd> depths;  ///< of the pressures, see fem::NormalInstant; empty without tangential problem
   std::vector<double> radii, forces;    ///< of the contact at these instants, see fem::ContactForce
 
-  /// The normal contact after a number of steps, for friction. touch_radii: those of the normal problem.
-  [[nodiscard]] fem::NormalInstant instant(std::size_t step, const Eigen::VectorXd& touch_radii) const;
+  /// The normal contact after a number of steps, for friction.
+  [[nodiscard]] fem::NormalInstant instant(std::size_t step) const;
   double seconds = 0;  ///< that the history took
 };
 

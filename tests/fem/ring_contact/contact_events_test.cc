@@ -95,6 +95,16 @@ TEST(ContactEvents, KnowWhatTheEdgesOfRingsLeaveOpen) {
   EXPECT_LT((events.radius - own.radius).tail(n).cwiseAbs().maxCoeff(), events.calibration);
 }
 
+TEST(SeriesUnder, HasItsDepthsAtTheEventsOfAnotherBodyThanAHalfSpace) {
+  const Eigen::VectorXd profile = parabola_means(normal_half_space(32));
+  const ContactProblem problem(StiffenedHalfSpace(32).compliance());
+  const auto series = series_under(problem, profile);
+  const Eigen::VectorXd events = contact_events(problem.compliance, profile).radius;
+  EXPECT_EQ(series.radii().tail(series.radii().size() - 1), events.tail(events.size() - 1));
+  EXPECT_EQ(series.radii()[0], problem.series.radii()[0]);
+  EXPECT_EQ(series_under(normal_half_space(32), profile).radii(), normal_half_space(32).series.radii());
+}
+
 // All rings of a flat face touch at once, so there is nothing to extrapolate from.
 TEST(ContactEvents, RadiiUnderAFlatFaceStayWhereTheirRingsAre) {
   const auto& problem = normal_half_space(32);
