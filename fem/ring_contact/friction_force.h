@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Dense>
-#include <functional>
 
 #include "fem/ring_contact/punch_series.h"
 #include "fem/ring_contact/slip_zones.h"
@@ -11,7 +10,7 @@ namespace fretval::fem {
 /// Where rings touch, according to the normal contact.
 struct TouchingRings {
   /// Per ring: radius of the contact when the ring touches, from the PunchSeries of the normal problem.
-  std::reference_wrapper<const Eigen::VectorXd> radii;
+  Eigen::VectorXd radii;
   bool from_zero = true;  ///< whether the traction of a ring that touches begins at zero: not with a dashpot
   double contact_radius = 0;
   double turning_radius = 0;  ///< radius of the contact when it last began to grow

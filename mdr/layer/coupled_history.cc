@@ -34,6 +34,18 @@ double bulk_heat(const SpringBed& bed, const LayerModes& modes, const PronyBody&
   return mdr::bulk_heat(form.weight, body, dt, form.variables(memory), form.variables(move));
 }
 
+// Widths by which the tractions of springs carry on over the rim, m: what the rim bears over what the springs next to
+// it do. A spring whose middle is not in contact has its rim from the one inside it.
+Eigen::ArrayXd rim_widths(const SpringBed& bed, const SpringState& state) {
+  const Eigen::ArrayXd &load = state.normal_load, &rim = state.rim_load;
+  Eigen::ArrayXd widths = Eigen::ArrayXd::Zero(load.size());
+  for (Eigen::Index j = 0; j < rim.size(); ++j) {
+    const Eigen::Index bears = load[j] > 0 ? j : j - 1;
+    if (rim[j] > 0 && bears >= 0 && load[bears] > 0) widths[bears] += bed.width[j] * rim[j] / load[bears];
+  }
+  return widths;
+}
+
 class CoupledSprings {
  public:
   CoupledSprings(const CoupledBed& bed, const PronyBody& body, double mu, const Loading& loading,
@@ -101,8 +113,11 @@ SpringForces coupled_forces(const CoupledBed& bed, const PronyBody& body, const 
   const auto whole = body.viscosity > 0 ? by_force : ByForce{true, true};
   const auto forces = forces_of_springs(springs, body, weights, state, whole);
   const double at_rim = normal_scale(body) * (springs.width * state.rim_load).sum();
+  double tangential = forces.tangential;
+  if (!by_force.tangential)
+    tangential += tangential_scale(body) * (rim_widths(springs, state) * state.tangential_load).sum();
   return {of_half_space * (forces.normal + at_rim),
-          force_scale(bed, body, Direction::tangential) / tangential_scale(body) * forces.tangential,
+          force_scale(bed, body, Direction::tangential) / tangential_scale(body) * tangential,
           of_half_space * forces.axis_pressure};
 }
 

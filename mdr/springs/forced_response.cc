@@ -42,6 +42,15 @@ SpringFineness halved(SpringFineness fineness) {
   return fineness;
 }
 
+// Whether a branch relaxes within a step: its force then follows the mean rate of the step, half a step late, and the
+// springs are of first order in time.
+bool relaxes_in_a_step(const PronyBody& body, const Prescribed& prescribed, const SpringFineness& fineness) {
+  const auto repeating = repeating_motion(prescribed.motion, fineness.n_oscillations);
+  const double step = repeating.period() / repeating.steps_with(fineness.steps_per_oscillation);
+  const auto& times = body.branch_times;
+  return std::any_of(times.begin(), times.end(), [step](double time) { return time < step; });
+}
+
 ForcedResponse response_of(const ContactRadius& radius_at, double mu, const SpringHistory& history) {
   const double deepest = sampled_peak(history.indentation, 1);
   NormalResponse normal{sampled_peak(history.normal_force, 1),
@@ -109,11 +118,13 @@ SteppedForcedResponse extrapolated_once(const HistoryOfSprings& history, const C
   std::optional<ForcedResponse> coarse;
   const bool scatters = body.viscosity > 0;
   if (!scatters || springs == Springs::coupled) coarse = response_with(halved(fineness), 1);
+  const bool first_order = relaxes_in_a_step(body, prescribed, fineness);
   const auto extrapolate = [&](auto&& part, double gain = 3) {
     const auto extrapolation = [gain](double coarser, double finer) { return finer + (finer - coarser) / gain; };
     const double fine = part(stepped.response), now = extrapolation(part(middle), fine);
     part(stepped.response) = now;
-    const double difference = (scatters ? 3 : 1) * std::abs(now - fine);
+    const double if_first_order = first_order ? std::max(gain - 1, 1.0) : 1;
+    const double difference = (scatters ? 3 : if_first_order) * std::abs(now - fine);
     part(stepped.error) =
         coarse ? std::max(std::abs(now - extrapolation(part(*coarse), part(middle))), difference) : difference;
   };

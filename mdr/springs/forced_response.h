@@ -55,7 +55,9 @@ struct SpringFineness {
 /// Response of the transient springs (mdr/springs/spring_history.h), stepped until they repeat. It is extrapolated from
 /// n and 2 n springs, steps, cycles of the ramp and oscillations of a RepeatingMotion, each of second order. error: its
 /// distance from the extrapolation of n/2 and n, or from the values of 2 n, whichever is more, which covers orders from
-/// one to two. With a dashpot, whose load jumps at the edge, the orders scatter, and error is the whole difference of n
+/// one to two. Where a branch relaxes within a step, it is of first order in time, and error is no less than twice that
+/// from the values of 2 n, as a first order has it. With a dashpot, whose load jumps at the edge, the orders scatter,
+/// and error is the whole difference of n
 /// and 2 n; that of the work in the body has the share of springs that let go within a period, if they are fewer than
 /// one. Where the ring that slips is narrower than a spring, sums are of first order, and errors of tangential forces
 /// and of the tangential amplitude have the share of a spring. Throws std::invalid_argument for bad arguments,

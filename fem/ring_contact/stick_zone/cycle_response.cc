@@ -88,12 +88,17 @@ CycleOffset off_by_steps(const RelaxationModel& relaxation, const Motion& motion
   return {friction.force[largest] < 0 ? -off[largest] : off[largest], off.mean(), work};
 }
 
+/// Column of the normal history at sample k of a period of the friction, which goes on before and after it.
+Eigen::Index normal_column(const NormalHistory& normal, const FrictionHistory& friction, Eigen::Index k) {
+  const auto n = friction.force.size();
+  return normal.column(friction.n_steps - n + (k % n + n) % n + 1);
+}
+
 /// The largest normal force in the steps next to sample k of a period, which may lie between two samples but for a
 /// path, whose kinks are at its rows.
 double largest_normal_force_beside(const NormalHistory& normal, const FrictionHistory& friction, Eigen::Index k) {
-  const auto n = friction.force.size();
   const auto at = [&](Eigen::Index i) {
-    const auto column = normal.column(friction.n_steps - n + (i % n + n) % n + 1);
+    const auto column = normal_column(normal, friction, i);
     return normal.force[column] + normal.force_beyond[column];
   };
   double largest = 0;
@@ -104,6 +109,27 @@ double largest_normal_force_beside(const NormalHistory& normal, const FrictionHi
     largest = std::max(largest, -of_negative.vertex_of_parabola());
   }
   return largest;
+}
+
+/// Whether all rings in contact slip at sample k of a period, but for the innermost one.
+bool slides(double friction_coefficient, const NormalHistory& normal, const FrictionHistory& friction, Eigen::Index k) {
+  constexpr double roundoff = 1e-9;
+  const auto n = friction.force.size(), n_rings = friction.traction.rows();
+  const auto pressure = normal.pressure_on_friction().col(normal_column(normal, friction, k));
+  const auto traction = friction.traction.col((k % n + n) % n);
+  for (Eigen::Index i = 1; i < n_rings; ++i)
+    if (std::abs(traction[i]) < (1 - roundoff) * friction_coefficient * pressure[i]) return false;
+  return true;
+}
+
+/// What |F_x| may be less at its largest sample k, if the contact slides there and sticks in the next sample: a step
+/// slides or sticks as a whole, so it may have stuck since the sample before.
+double open_where_sliding_ends(double friction_coefficient, const NormalHistory& normal,
+                               const FrictionHistory& friction, Eigen::Index k) {
+  if (!slides(friction_coefficient, normal, friction, k) || slides(friction_coefficient, normal, friction, k + 1))
+    return 0;
+  const auto n = friction.force.size();
+  return std::abs(friction.force[k]) - std::abs(friction.force[(k + n - 1) % n]);
 }
 
 /// Largest |F_x| of the last period, with what reading it between the samples leaves open. It is not more than mu times
@@ -121,7 +147,8 @@ LargestForce largest_tangential_force(double friction_coefficient, const Motion&
   const auto forward = peak_bounds(friction.force), backward = peak_bounds(-friction.force);
   const double least = std::max(forward.least, backward.least),
                most = std::min(limit, std::max(forward.most, backward.most));
-  return {value, std::max({0.0, value - least, most - value})};
+  return {value, std::max({0.0, value - least, most - value,
+                           open_where_sliding_ends(friction_coefficient, normal, friction, largest)})};
 }
 
 /// What a sum over equal steps leaves open, y . moves, where y jumps within one of them, as the force of a body with

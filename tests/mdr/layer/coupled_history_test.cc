@@ -48,6 +48,23 @@ TEST(CoupledHistory, GivesBothRadiiUnderForces) {
   EXPECT_NEAR(std::sqrt(elastic_depths.shakedown), *exact.shakedown, 2e-5);
 }
 
+// What the rim of the contact bears takes its share of friction, so that Coulomb's law holds for the whole contact.
+TEST(CoupledHistory, SlidesUnderMuTimesTheNormalForce) {
+  const Layer layer{0.5, 0.5};
+  const double d = layer_contact(parabola(1), layer, 1).indentation;
+  const HarmonicMotion motion = harmonic_motion({d, 0.2 * d, 5 * d, 1, 1, 1.0});
+  for (const PronyBody& body : {elastic(1), standard_solid(1, 1.5, 0.3)}) {
+    const SpringHistory history = history_of(layer, body, motion, 1.1, 40, {1, 60, 2, 100, 1e-8});
+    std::size_t n_sliding = 0;
+    for (std::size_t k = 0; k < history.time.size(); ++k) {
+      const double share = std::abs(history.tangential_force[k]) / (mu * history.normal_force[k]);
+      EXPECT_LT(share, 1 + 1e-12);
+      n_sliding += share > 1 - 1e-12;
+    }
+    EXPECT_GT(n_sliding, 20U);
+  }
+}
+
 // Orders: of the radius in the springs, of the works in time.
 TEST(CoupledHistory, IsOfSecondOrder) {
   const Layer layer{0.5, 0.5};

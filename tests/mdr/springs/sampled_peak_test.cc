@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace fretval::mdr::sampled_peak_test {
 namespace {
@@ -29,6 +31,19 @@ TEST(SampledPeak, OfFrictionIsNotBeyondItsLimit) {
   EXPECT_NEAR(friction_peak(pull, rising, 0.5), 1.02, 1e-15) << "the normal force beside the sample";
   const std::vector<double> sticks{0, 0.8, 0.9, 0.8, 0, -0.5, 0};
   EXPECT_EQ(friction_peak(sticks, constant, 0.5), sampled_peak(sticks, 1));
+}
+
+// A contact that slides while its normal force is largest, between two samples.
+TEST(SampledPeak, OfFrictionThatSlidesIsMuTimesThatOfTheNormalForce) {
+  constexpr int n = 36;
+  const double dt = 2 * std::acos(-1.0) / n, mu = 0.3;
+  std::vector<double> normal, pull;
+  for (int k = 0; k <= n; ++k) {
+    normal.push_back(5 + 2 * std::cos(k * dt - 1.1));
+    pull.push_back(std::cos(k * dt) > 0 ? mu * normal.back() : -mu);
+  }
+  EXPECT_NEAR(friction_peak(pull, normal, mu), mu * sampled_peak(normal, 1), 1e-15);
+  EXPECT_LT(*std::max_element(pull.begin(), pull.end()), mu * 6.999);
 }
 
 TEST(SampledPeak, OfAConstantIsTheConstant) {
