@@ -115,6 +115,7 @@ double largest_normal_force_beside(const NormalHistory& normal, const FrictionHi
 bool slides(double friction_coefficient, const NormalHistory& normal, const FrictionHistory& friction, Eigen::Index k) {
   constexpr double roundoff = 1e-9;
   const auto n = friction.force.size(), n_rings = friction.traction.rows();
+  if (n_rings < 2) return false;
   const auto pressure = normal.pressure_on_friction().col(normal_column(normal, friction, k));
   const auto traction = friction.traction.col((k % n + n) % n);
   for (Eigen::Index i = 1; i < n_rings; ++i)

@@ -243,6 +243,23 @@ TEST(CycleResponse, LeavesOpenWhereAForceThatBendsIsLargest) {
 }
 
 // A body with memory is touched somewhere in a step, at a full force, and left again where the indenter turns.
+// Three rings under a pressure of 1, in a contact of mu = 0.5 that slides up to its largest sample, or one more.
+TEST(CycleResponse, LeavesOpenWhetherASlidingContactHasStuckForAStep) {
+  constexpr int n = 24, largest = 10;
+  const auto open = [](int last_sliding) {
+    auto s = sampled(n);
+    s.normal.force.setConstant(1.8);
+    s.normal.pressure = Eigen::MatrixXd::Ones(3, n);
+    s.friction.traction = Eigen::MatrixXd::Constant(3, n, 0.1);
+    for (int k = 5; k <= last_sliding; ++k) s.friction.traction.col(k) << 0.4, 0.5, 0.5;
+    for (int k = 0; k < n; ++k) s.friction.force[k] = k > largest ? -0.1 : 0.9 + 0.01 * (k - largest);
+    return cycle_response({1, {}, {}, 0}, 0.5, s.motion, 1.8, s.normal, s.friction).between_steps.tangential_force_max;
+  };
+  EXPECT_EQ(open(4), 0);
+  EXPECT_NEAR(open(largest), 0.01, 1e-15);
+  EXPECT_EQ(open(largest + 1), 0);
+}
+
 TEST(CycleResponse, LeavesOpenWhereInAStepAForceJumps) {
   constexpr int n = 32;
   constexpr double dt = 2 * pi / n, left = pi;
