@@ -145,13 +145,15 @@ double exponent_at_edge(const FemCase& fem) {
 }
 
 /// Reads the largest pressure on the axis; empty: infinite, under a sharp tip and where a body with a dashpot is
-/// touched anew. Pressures beyond a worn edge are left out, as nothing is pressed there in the limit.
+/// touched anew. Unknown where a branch relaxes within the step in which the axis is touched anew: that branch bears
+/// for as long as it lasts, which no step shows. Pressures beyond a worn edge are left out, as nothing is pressed there
+/// in the limit.
 void read_axis_pressure(const FemCase& fem, const fem::ContactProblem& problem, const fem::NormalHistory& normal,
                         FeAnswer& answer) {
   constexpr double near_axis = 1e-4, sharp = 1 + 1e-3, roundoff = 1e-6;
   const double exponent = exponent_at(near_axis, fem);
-  const bool touches_anew = fem.relaxation.viscosity > 0 && normal.force.minCoeff() <= 0;
-  if (exponent < sharp || touches_anew) return;
+  const bool touches_anew = normal.force.minCoeff() <= 0;
+  if (exponent < sharp || (touches_anew && fem.relaxation.viscosity > 0)) return;
   Eigen::MatrixXd pressure = normal.pressure;
   Eigen::VectorXd radius = normal.contact_radius;
   if (fem.worn_edge) {
@@ -167,7 +169,7 @@ void read_axis_pressure(const FemCase& fem, const fem::ContactProblem& problem, 
   const double outermost = problem.series.radii()[fem::outermost_tip_ring],
                farther_out = std::max(exponent_at(outermost, fem), sharp);
   const bool face_ends = fem.profile(outermost / 2) <= 0 && fem.profile(outermost) > 0;
-  if (exponent == bluntest && (face_ends || farther_out < bluntest))
+  if ((exponent == bluntest && (face_ends || farther_out < bluntest)) || (touches_anew && relaxes_in_a_step(fem)))
     answer.axis_pressure_uncertainty = std::numeric_limits<double>::infinity();
   else if (std::abs(farther_out - exponent) > roundoff)
     answer.axis_pressure_uncertainty =

@@ -178,6 +178,19 @@ TEST(FeAnswer, PressureOnTheAxisIsUnknownUnderAFaceOfFewRings) {
   EXPECT_EQ(simulate_case(smooth).axis_pressure_uncertainty, 0);
 }
 
+// An axis that is touched anew is pressed by a branch for as long as that lasts, which a step does not show.
+TEST(FeAnswer, PressureOnTheAxisIsUnknownWhereABranchRelaxesInTheStepInWhichItIsTouched) {
+  const auto uncertainty_with = [](double amplitude_over_indentation, double steps_of_relaxation) {
+    auto scene = fixed_case("parabola-solid-90", 24, 48);
+    scene.motion.normal_amplitude = amplitude_over_indentation * scene.motion.indentation;
+    scene.elastomer.branch_times = {steps_of_relaxation / scene.motion.normal_frequency / 48};
+    return simulate_case(scene).axis_pressure_uncertainty;
+  };
+  EXPECT_TRUE(std::isinf(uncertainty_with(1.2, 0.1)));
+  EXPECT_EQ(uncertainty_with(1.2, 4), 0);
+  EXPECT_EQ(uncertainty_with(0.5, 0.1), 0);
+}
+
 // a ~ d^(1/2) under a parabola: the contact radius is known twice as well as the indentation that the force leads to.
 TEST(FeAnswer, UnderAForceKnowsTheContactRadiusByTheIndentation) {
   auto scene = fixed_case("parabola-solid-90", 24, 48);
